@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeFacetAlgorithm
- * @brief   base class of filters that use flat facets in place of curved faces
+ * @brief   base class of filters that use flat facets instead of curved faces
  *
  * What is inside a surface, and distances to it that have a sign, are found for facets. See
  * vtkSkdTreeSourceAlgorithm for the ports.

@@ -8,9 +8,9 @@
  * composite of them), a mesh in a plane, on a sphere or on any other surface, so that cells become
  * small where a field of Source (port 1, any vtkDataSet or composite) asks for it. Cells stay what
  * they are: none is added or removed. The algorithm is that of section 6.6 of Khamayseh and Hansen,
- * Commun. Comput. Phys. 2 (2007) 545-576: (1) the field's places go into a tree, once; (2) each
- * cell asks it for the places that it truly contains; (3) and takes the mean of the values there;
- * (4) the points move by these means; (5) back to (2).
+ * Commun. Comput. Phys. 2 (2007) 545-576: (1) the field's positions go into a tree, once; (2) each
+ * cell asks it for the positions that it truly contains; (3) and takes the mean of the values
+ * there; (4) the points move by these means; (5) back to (2).
  *
  * Step 4 makes a monitor function m of the means (see SetMonitor) and looks for the mesh in which
  * the integral of m over each cell is the cell's share of it all: its share of the mesh's area as
@@ -21,7 +21,7 @@
  * error falls with the square of the cells' size. There the first iteration goes nearly all the
  * way: in the opposite problem, of cells with the monitor's integrals that are to have the areas of
  * before, the monitor does not change with the cells, so Newton's method solves it in few steps;
- * its answer is then turned around by Legendre's transform (McCann 2001). The other iterations are
+ * its answer is then inverted by Legendre's transform (McCann 2001). The other iterations are
  * Newton's steps for what discretization leaves. On other surfaces each step is along the gradient
  * of a potential.
  *

@@ -91,7 +91,7 @@ void Report(vtkDataObject* output, const SkdTreeCounts& counts, int built,
 }
 }
 
-// Finds the place of each point and gathers the source's data there, in one go.
+// Finds the location of each point and gathers the source's data there, in one go.
 SkdCellLocations vtkSkdTreeProbe::Internals::Probe(vtkDataSet* output, double fill, SkdLoop& loop)
 {
   const vtkIdType n = output->GetNumberOfPoints();

@@ -30,7 +30,7 @@
  * | SkdRayBlockIndex | int    | 1          | flat index of its block                   | -1   |
  * (the last one only for a composite Source; all but the first not of COUNTS) and, optionally, the
  * source's data at the first hit. Rays from curved
- * faces start on the faces themselves: for a control point of a Bezier cell stands the place on the
+ * faces start on the faces themselves: for a control point of a Bezier cell stands the point of the
  * face at its parameters, for the centre of a curved cell that in the middle of its parameters.
  * Output port 1 (empty for COUNTS): vtkPolyData with a point for each hit or, by choice, a line
  * from the start to it, with the same data, those of the start, and SkdRayStartId, the id of the
@@ -174,7 +174,7 @@ public:
   //@{
   /**
    * What is found: the first hit of each ray, all of them, or their number. Where a ray hits
-   * several cells at one place, for example at an edge that they share, that is one hit, also if it
+   * several cells at one point, for example at an edge that they share, that is one hit, also if it
    * only touches the surface there. Default FIRST_HIT, which takes the least time.
    */
   vtkSkdTreeChoiceMacro(Hits, FIRST_HIT, COUNTS);

@@ -312,8 +312,8 @@ public:
    * source cells that are covered in part are limited as above, so that there is enough room. All
    * blocks, and the parts of all processes, are one in this.
    * With either results are within these bounds, and integrals are kept to rounding; where
-   * MinimumCoverage leaves cells out bounds go before integrals. Vectors that are turned on a
-   * sphere have limits of their components before they are turned, or none (CLIP_AND_ASSURED_SUM).
+   * MinimumCoverage leaves cells out bounds go before integrals. Vectors that are rotated on a
+   * sphere have limits of their components before they are rotated, or none (CLIP_AND_ASSURED_SUM).
    */
   vtkSkdTreeChoiceMacro(Limiter, NO_LIMITER, CLIP_AND_ASSURED_SUM);
   //@}
@@ -385,8 +385,8 @@ public:
   //@{
   /**
    * On a sphere, whether arrays of three components, unless of integers, are vectors which
-   * conservative methods turn from where the source cell is to where the target cell is. Else they
-   * are mapped by components. Default on.
+   * conservative methods rotate from where the source cell is to where the target cell is. Else
+   * they are mapped by components. Default on.
    */
   vtkSkdTreeSwitchMacro(RotateVectors);
   //@}

@@ -53,7 +53,7 @@ public:
 
 namespace
 {
-/// Bounds scaled, turned and moved, as vtkPVBox has it.
+/// Bounds scaled, rotated and moved, as vtkPVBox has it.
 SkdQueryShape BoxOf(const double bounds[6], const double position[3], const double rotation[3],
   const double length[3])
 {

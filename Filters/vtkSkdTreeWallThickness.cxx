@@ -51,7 +51,7 @@ public:
   SkdSourceTrees HitTrees; // of the cells that rays hit, where the Source stays in its pieces
   std::unique_ptr<SkdBodyExit> Exits; // of these
 
-  /// Brings the cells that rays hit, in the place of those of the own piece, and builds their
+  /// Brings the cells that rays hit, instead of those of the own piece, and builds their
   /// trees. Returns false after an abort on any process. All processes must call it together.
   bool BringHits(vtkSkdTreeWallThickness* self, const std::vector<SkdRayStarts>& starts,
     const SkdRayLimits& limits, const SkdThicknessRule& rule, vtkIdType numberOfSamples,
@@ -142,8 +142,8 @@ void AddArrays(vtkDataSetAttributes* data, const std::vector<SkdThickness>& answ
   data->SetActiveScalars("SkdThickness");
 }
 
-/// How many places there are, how many on the surface, how many of these have no ray, and how many
-/// of the others a thickness.
+/// How many starting points there are, how many on the surface, how many of these have no ray, and
+/// how many of the others a thickness.
 struct Numbers
 {
   vtkIdType Samples = 0;

@@ -20,13 +20,13 @@
  *   exact nearest point of all cells: the sphere overlaps nothing but facets next to the point (see
  *   SeparationAngle). Where a quarter of more than 8192 cells is about equally near to the centres
  *   of many spheres, as in a ball, nearest points are those of points of a lattice, and spheres
- *   may reach through the surface by 0.002 of their radius. Faces within the body, of shells that
+ *   may extend through the surface by 0.002 of their radius. Faces within the body, of shells that
  *   overlap, bound spheres, too. Never larger than by one ray to the first face.
  *
  * Normals are the active ones of the points or cells or, without them, those of the surface cells
  * or of the outer faces of volume cells, at points their mean weighted by angles. Points and
  * normals of curved faces are those of the faces themselves: for a control point of a Bezier cell
- * stands the place on the face at its parameters, for the centre of a curved cell that in the
+ * stands the point of the face at its parameters, for the centre of a curved cell that in the
  * middle of its parameters. What is measured against is the outer faces of volume cells, of curved
  * ones as flat facets within 1e-4 of the diagonal.
  *
@@ -138,7 +138,7 @@ public:
 
   //@{
   /**
-   * For SPHERES: places on the surface that the sphere's centre sees at less than this angle, in
+   * For SPHERES: points of the surface that the sphere's centre sees at less than this angle, in
    * degrees, from the point do not bound it. They are on facets next to the point, which, however
    * fine, leave a sphere no room at a convex edge. Default 60; a body with flatter edges than this
    * is measured as if they were smooth.

@@ -139,7 +139,8 @@ void FaceList::SortByOrigin()
     });
 }
 
-// Two faces are the same when they have the same corners, wherever they start and turn.
+// Two faces are the same when they have the same corners, wherever they start and whichever way
+// they go around.
 void FaceList::CountCopies()
 {
   std::vector<vtkIdType> sorted = this->Corners;

@@ -130,7 +130,7 @@ std::vector<bool> SkdOpenSolid::FindConsistent(const std::vector<bool>& outward)
   const std::vector<skd::Vector3> points = SkdSurfacePoints(this->Surface);
   const std::vector<SkdTriangleIds> triangles = SkdSurfaceTriangles(this->Surface);
   const SkdShells shells(points, triangles);
-  std::vector<double> areas(shells.Get().size(), 0.0); // area, minus that turned
+  std::vector<double> areas(shells.Get().size(), 0.0); // area, minus that of reversed triangles
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     const double area = AreaOf(points, triangles[i]);

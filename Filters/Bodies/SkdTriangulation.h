@@ -26,7 +26,7 @@ class SkdTriangulation
 public:
   SkdTriangulation();
 
-  /// The corners of the triangles, three a triangle, as places in the polygon, whose corners are
+  /// The corners of the triangles, three a triangle, as indices in the polygon, whose corners are
   /// cornerOf(0), cornerOf(1), ... (skd::Vector3). Valid until the next call.
   template <class CornerOf>
   vtkIdList* Cut(vtkIdType size, const CornerOf& cornerOf)

@@ -10,7 +10,7 @@
 
 namespace skdtree
 {
-/// A place on a curve.
+/// A location on a curve.
 struct SkdCurveLocation
 {
   std::size_t Curve;
@@ -18,7 +18,7 @@ struct SkdCurveLocation
   double T;        ///< on the piece
   double U;        ///< number of the piece within its curve, and T
   double Slack;    ///< what U may be off by
-  double Rounding; ///< the same of a place that is known exactly
+  double Rounding; ///< the same of a location that is known exactly
   double Period;   ///< of a closed curve the number of its pieces, or 0
   skd::Vector3 X;
   skd::Vector3 Tangent; ///< of any length

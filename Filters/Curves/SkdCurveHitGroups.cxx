@@ -44,7 +44,7 @@ bool IsKnown(const skd::Vector3& direction)
   return skd::Norm2(direction) > 0.0;
 }
 
-/// What meets in a place.
+/// What meets in a point.
 struct Group
 {
   SkdCurveHit Hit;
@@ -111,7 +111,7 @@ struct Group
   }
 };
 
-/// Whether a place is where a closed curve ends and begins, seen from before.
+/// Whether a location is where a closed curve ends and begins, seen from before.
 bool IsBeforeStart(const SkdCurveLocation& location)
 {
   return location.Period > 0.0 && location.Period - location.U <= location.Slack;
@@ -160,7 +160,7 @@ void UniteAround(std::vector<Group>& groups, bool isSelf)
   groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(retained), groups.end());
 }
 
-/// Whether two places are one of curves that go on as each other there.
+/// Whether two locations are one of curves that go on as each other there.
 bool IsSameAlong(const SkdCurveLocation& a, const SkdCurveLocation& b, bool areExact)
 {
   const bool isJoint = a.Joint != SkdCurveJoints::None && a.Joint == b.Joint;

@@ -114,7 +114,7 @@ private:
     this->Parameters->InsertNextValue(this->Task.Curves.GetParameter(piece, t));
   }
 
-  /// All points of the polyline after (piece, t) up to another place.
+  /// All points of the polyline after (piece, t) up to another location.
   void AdvanceTo(std::size_t& piece, double& t, std::size_t lastPiece, double lastT)
   {
     for (; piece < lastPiece; ++piece, t = 0.0)

@@ -109,7 +109,7 @@ bool SkdIntersectionGroups::BelongsTo(const Group& group, const SkdSurfaceHit& h
 //------------------------------------------------------------------------------
 void SkdIntersectionGroups::Add(const SkdSurfaceHit& hit)
 {
-  constexpr std::size_t window = 16; // as many parts may be met in one place
+  constexpr std::size_t window = 16; // as many parts may be met in one point
   const std::size_t count = this->Groups.size();
   for (std::size_t back = 1; back <= std::min(count, window); ++back)
   {

@@ -22,7 +22,7 @@ public:
   /// blocks.
   std::vector<SkdBlock> Keep(const std::vector<SkdBlock>& blocks);
 
-  /// Whether there are as many blocks, and each has the structure that is kept in its place.
+  /// Whether there are as many blocks, and each has the structure that is kept for it.
   bool AreSameAs(const std::vector<SkdBlock>& blocks) const;
 
   /// What is kept of a block.

@@ -37,8 +37,8 @@ std::vector<SkdBlock> SkdBlocksWithCells(std::vector<SkdBlock> blocks);
 /// copying arrays. Returns the data sets of the output: arrays can be added to them.
 std::vector<SkdBlock> SkdMirror(vtkDataObject* input, vtkDataObject* output);
 
-/// An array of the flat indices of some blocks, which are given by their places in a list; -1 where
-/// the place is -1.
+/// An array of the flat indices of some blocks, which are given by their indices in a list; -1
+/// where the index is -1.
 vtkSmartPointer<vtkIntArray> SkdMakeBlockIndices(
   const char* name, const std::vector<int>& positions, const std::vector<SkdBlock>& blocks);
 

@@ -10,7 +10,7 @@
 
 namespace skdtree
 {
-/// A place in a Source: a point of a cell of one of its blocks; none if Block < 0.
+/// A location in a Source: a point of a cell of one of its blocks; none if Block < 0.
 struct SkdSourceLocation
 {
   int Block;
@@ -19,8 +19,8 @@ struct SkdSourceLocation
 };
 
 /// Adds n tuples of a Source's data to `output`: tuple i is its point data interpolated, and its
-/// cell data, at the place placeOf(i). meshOf(block) is the mesh of a block, see SkdTouchCells().
-/// Names of arrays that are not added are inserted into `refused`.
+/// cell data, at the location locationOf(i). meshOf(block) is the mesh of a block, see
+/// SkdTouchCells(). Names of arrays that are not added are inserted into `refused`.
 template <class LocationOf, class MeshOf>
 void SkdInterpolateInto(vtkDataSetAttributes* output, vtkIdType n,
   const std::vector<SkdBlock>& source, const MeshOf& meshOf, const LocationOf& locationOf,

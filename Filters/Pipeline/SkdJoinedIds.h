@@ -81,7 +81,7 @@ inline std::vector<SkdJoinedIds> SkdJoinedIdsOf(const std::vector<SkdBlock>& blo
   return joined;
 }
 
-/// Replaces ids of cells of some meshes by those in the whole; `meshes` has the place of each id's
+/// Replaces ids of cells of some meshes by those in the whole; `meshes` has the index of each id's
 /// mesh in the list, -1: the id stays. O(n) if any of the meshes has joined ids, else O(1).
 inline void SkdJoinIds(
   vtkIdTypeArray* ids, const std::vector<int>& meshes, const std::vector<SkdBlock>& blocks)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdLonLat.h
- * @brief Longitudes and latitudes, in degrees, and places on a sphere about the origin.
+ * @brief Longitudes and latitudes, in degrees, and positions on a sphere about the origin.
  */
 
 #ifndef SkdLonLat_h

@@ -7,7 +7,7 @@
 
 namespace skdtree
 {
-/// Whether places are compared by their directions from the origin, too, as on a sphere.
+/// Whether positions are compared by their directions from the origin, too, as on a sphere.
 enum class SkdByDirections
 {
   Never,

@@ -18,7 +18,7 @@ namespace
 {
 using Gradients = std::vector<std::vector<skd::Vector3>>; // of each component, or none
 
-/// A vector turned as the shortest way from one direction to the other turns.
+/// A vector rotated as the shortest arc takes one direction to the other.
 skd::Vector3 Transported(const skd::Vector3& v, const skd::Vector3& from, const skd::Vector3& to)
 {
   const skd::Vector3 a = (1.0 / skd::Norm(from)) * from;
@@ -43,7 +43,7 @@ struct SkdConservativeRemap::Shares
   const std::vector<double>& Measures;
   const Gradients& Slopes; ///< with the moments of the table of cells
   const std::vector<skd::Vector3>&
-    Positions;                              ///< where vectors are turned from; empty: they are not
+    Positions;                              ///< where vectors are rotated from; empty: they are not
   bool IsSigned;                            ///< whether there are negative measures that count
   const std::vector<SkdCellRanges>& Ranges; ///< of each component that has bounds, or none
   SkdLimiter Limiter;                       ///< how they are kept
@@ -380,7 +380,7 @@ SkdRemappedField SkdConservativeRemap::Map(
   const SkdDonorField density = this->DensityOf(field);
   const bool isReversed = this->IsReversed(field);
   Gradients slopes;
-  std::vector<SkdCellRanges> bounds; // by components, which turned vectors do not keep
+  std::vector<SkdCellRanges> bounds; // by components, which rotated vectors do not keep
   for (int c = 0; c < field.Components && gradients; ++c)
   {
     slopes.push_back(gradients->Find(density, c));

@@ -98,7 +98,7 @@ private:
     }
     this->AddName();
     this->Bytes += this->Count * (1 + static_cast<std::size_t>(rank)) + 4 + this->Count;
-    this->Bytes += this->Count + 4 + this->Offset; // the list of attributes, the type, the place
+    this->Bytes += this->Count + 4 + this->Offset; // the list of attributes, the type, the offset
     this->AddAttributes(id, attributes);
     this->Bytes += Padded(values * SizeOf(type));
   }

@@ -112,7 +112,7 @@ double SizeOf(const Vector3& a, const Vector3& b, const Vector3& c, int dimensio
   return dimension == 1 ? Norm(b - a) : 0.5 * Norm(Cross(b - a, c - a));
 }
 
-/// A cell of which less than this share of its parts is left, the others being turned inside out,
+/// A cell of which less than this share of its parts is left, the others being inverted,
 /// has no mean of its functions to speak of.
 constexpr double LeastWhole = 0.1;
 }

@@ -377,7 +377,7 @@ void SkdOverlapReader::AddPolygon(Corners& corners)
 
 //------------------------------------------------------------------------------
 // A polygon of a surface in space, with the side up from which it is counter-clockwise. A warped
-// one is the triangles of its edges and the mean of its corners; those turned over count negative.
+// one is the triangles of its edges and the mean of its corners; those flipped over count negative.
 void SkdOverlapReader::AddFacets(Corners& corners)
 {
   const Vector3 area = AreaOf(corners);

@@ -244,7 +244,7 @@ bool SkdOverlapReader::AreFlat(const Faces& faces) const
 }
 
 //------------------------------------------------------------------------------
-// What is turned inside out counts negative.
+// What is inverted counts negative.
 void SkdOverlapReader::AddSigned(
   const Corner& apex, const Corner& a, const Corner& b, const Corner& c)
 {

@@ -40,7 +40,7 @@ public:
   skd::Vector3 Project(const skd::Vector3& x) const;
 
   ///@{
-  /// Back: places, measures, and integrals of differences of places.
+  /// Back: positions, measures, and integrals of differences of positions.
   skd::Vector3 Unproject(const skd::Vector3& projected) const;
   double Measure(double projected) const { return this->MeasureScale * projected; }
   skd::Vector3 Moment(const skd::Vector3& projected) const;

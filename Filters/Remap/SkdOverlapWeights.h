@@ -24,7 +24,7 @@ namespace skdtree
 {
 /// Rows of target cells, columns of donor cells (CSR): of row i the entries Rows[i] .. Rows[i + 1],
 /// by ascending donor id. Overlaps that are nothing but rounding are left out. Of cells that are
-/// partly turned inside out, or whose sides pass each other, they may be negative.
+/// partly inverted, or whose sides pass each other, they may be negative.
 struct SkdOverlapTable
 {
   std::vector<std::size_t> Rows;  ///< one more than there are target cells

@@ -182,7 +182,7 @@ bool DropRounding(SkdOverlapPointTable& table)
   return hasNegative;
 }
 
-/// By rows, then points; those of one place are summed up in the order of the parts.
+/// By rows, then points; those of one row and point are summed up in the order of the parts.
 void FillTable(
   const std::vector<std::vector<Entry>>& parts, vtkIdType numberOfRows, SkdOverlapPointTable& table)
 {

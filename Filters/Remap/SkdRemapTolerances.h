@@ -24,7 +24,7 @@ constexpr double Flatness = 1e-12;       ///< of the largest eigenvalue: less sp
 constexpr double EdgeOn = 1e-12;         ///< the cosine between normals of facets seen edge-on
 constexpr double FlatPolygon = 1e-11;    ///< of the largest distance from its middle: is in a plane
 constexpr double SurfaceBorder = 0.05;   ///< of a cell's measure: projections differ so at borders
-constexpr double OtherSide = 0.05;       ///< of a surface's area: so few cells may be turned over
+constexpr double OtherSide = 0.05;       ///< of a surface's area: so few cells may be flipped over
 constexpr double Coverage = 1e-5;        ///< of a cell's measure: left by single precision
 }
 }

@@ -82,7 +82,7 @@ void SkdSphereCell::SetBox()
   this->Box = this->Box.Inflated(longer);
 }
 
-/// 1 or -1 of a convex cell that is turned left or right, else 0.
+/// 1 or -1 of a convex cell whose edges turn left or right, else 0.
 int SkdSphereCell::FindOrientation() const
 {
   const std::size_t n = this->Corners.size();

@@ -161,7 +161,7 @@ vtkDoubleArray* WeightsOf(vtkCell* cell)
   return quad ? quad->GetRationalWeights() : nullptr;
 }
 
-/// Calls visit(place among the cell's points, i, j). Corners come first, then the middles of sides.
+/// Calls visit(index among the cell's points, i, j). Corners come first, then the middles of sides.
 template <class Visit>
 void ForEachNode(vtkCell* cell, const skd::NodePatch& patch, const Visit& visit)
 {

@@ -42,8 +42,8 @@ DimensionTable MakeDimensionTable()
 /// The points of a cell that a face has.
 using FacePoints = std::vector<vtkIdType>;
 
-/// The faces of volume cells by the places of their points in the cell: the same for all cells of a
-/// type, number of points and degrees, so VTK's cell is queried once for each.
+/// The faces of volume cells by the indices of their points in the cell: the same for all cells of
+/// a type, number of points and degrees, so VTK's cell is queried once for each.
 class FaceTable
 {
 public:

@@ -32,7 +32,7 @@ Vector3 AsVector(const double (&x)[3])
   return { { x[0], x[1], x[2] } };
 }
 
-/// Of a face's place (r, s) the shares of its corners: of a triangle linear, else bilinear.
+/// At parameters (r, s) of a face the shares of its corners: of a triangle linear, else bilinear.
 std::array<double, 4> SharesAt(int size, double r, double s)
 {
   return size == 3
@@ -40,7 +40,7 @@ std::array<double, 4> SharesAt(int size, double r, double s)
     : std::array<double, 4>{ (1.0 - r) * (1.0 - s), r * (1.0 - s), r * s, (1.0 - r) * s };
 }
 
-/// A pyramid's place as that in the cube whose top is drawn together.
+/// A pyramid's parameters as those in the cube whose top is drawn together.
 Vector3 InCube(const Vector3& p)
 {
   const double width = 1.0 - p[2];

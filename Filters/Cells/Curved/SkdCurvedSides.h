@@ -55,7 +55,7 @@ public:
   /// A point within the cell.
   const Point& GetMiddle() const { return this->Middle; }
 
-  /// VTK's parametric coordinates of a place in the straight cell.
+  /// VTK's parametric coordinates of a point in the straight cell.
   skd::Vector3 ToVTK(const skd::Vector3& reference) const;
 
 private:

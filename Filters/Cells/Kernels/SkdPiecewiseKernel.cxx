@@ -21,7 +21,7 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// A wedge by its points' places in the cell.
+/// A wedge by its points' indices in the cell.
 using Piece = std::array<std::size_t, 6>;
 
 struct Pieces

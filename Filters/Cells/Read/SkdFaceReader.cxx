@@ -202,7 +202,7 @@ void SkdFaceReader::CollectEdges()
 }
 
 //------------------------------------------------------------------------------
-// The face that stands for all that are joined; the face is made its child, its turn known.
+// The face that stands for all that are joined; the face is made its child, its orientation known.
 std::uint32_t SkdFaceReader::RootOf(std::uint32_t face)
 {
   std::uint32_t root = face;

@@ -11,11 +11,12 @@ namespace skd
 {
 
 /// Whether a curve runs within something, and the intervals of it that are on that itself, not on
-/// what continues it. `Size` + 1 places along the curve are tried, from the middle on, so that a
+/// what continues it. `Size` + 1 points along the curve are tried, from the middle on, so that a
 /// curve that does not is mostly rejected by its first point.
 ///
 /// `within` knows both:
-///   Follow(foot)                what is nearest to the curve's place foot.T, found from where foot
+///   Follow(foot)                what is nearest to the curve's point at foot.T, found from where
+///   foot
 ///                               is; whether both are the same to within rounding
 ///   Depth(foot)                 how far the foot is within its sides or ends; negative beyond
 ///   Append(begin, end, hits)    a interval
@@ -84,7 +85,7 @@ private:
     }
   }
 
-  /// Between a place that is on it and one beyond.
+  /// Between a point that is on it and one beyond.
   Hit Border(Hit on, Hit beyond) const
   {
     for (int iteration = 0; iteration < 60; ++iteration)

@@ -25,7 +25,7 @@ struct CurvePairHit
   double Error = 0.0; ///< and X
   IntersectionKind Kind = IntersectionKind::Crossing;
   bool Begins = false;     ///< of an OverlapEnd: the common interval begins here
-  Vector3 Before{};        ///< from the second to the first before a place that is not simple; or 0
+  Vector3 Before{};        ///< from the second to the first before a point that is not simple; or 0
   Vector3 After{};         ///< the same after it
   bool IsResolved = false; ///< not simple: Resolve() has determined its kind
   bool IsExact = false;    ///< T and S are right to a few units in the last place
@@ -89,7 +89,8 @@ struct CurvePair
     hit.Gap = std::sqrt(Distance2(hit.X, this->Second.At(hit.S).X));
   }
 
-  /// Whether the place is a root of both, to within rounding. Fills in all that depends on it.
+  /// Whether the parameters are a root of both, to within rounding. Fills in all that depends on
+  /// it.
   bool Accept(CurvePairHit& hit) const
   {
     this->SetSlacks(hit);
@@ -127,8 +128,8 @@ struct CurvePair
     return isOnBoth;
   }
 
-  /// The place of the second curve nearest to the first's at T, found from where the hit is, also
-  /// beyond its ends; the way from there. Whether it is one.
+  /// The point of the second curve nearest to the first's at T, found from where the hit is, also
+  /// beyond its ends; the vector from there. Whether it is one.
   bool FindFoot(CurvePairHit& hit, Vector3& offset) const
   {
     const Vector3 x = this->First.At(hit.T).X;
@@ -173,7 +174,7 @@ struct CurvePair
     return this->LocateContact(hit) ? std::optional<CurvePairHit>(hit) : std::nullopt;
   }
 
-  /// Whether a place may be more than a simple root: the curves nearly run along each other there.
+  /// Whether a point may be more than a simple root: the curves nearly run along each other there.
   static bool IsDoubtful(const CurvePairHit& hit)
   {
     return hit.SlackT > tolerances::Doubtful && !hit.IsResolved;
@@ -195,7 +196,7 @@ struct CurvePair
       std::abs(a.S - b.S) <= tolerances::SameParameter;
   }
 
-  /// Whether the curves stay within the tolerance of each other from one place to another.
+  /// Whether the curves stay within the tolerance of each other from one point to another.
   bool IsOneContact(const CurvePairHit& a, const CurvePairHit& b) const
   {
     CurvePairHit foot = a;
@@ -212,7 +213,7 @@ struct CurvePair
     return std::abs(foot.S - b.S) <= std::max({ a.SlackS, b.SlackS, tolerances::SameContact });
   }
 
-  /// The place of a curve nearest to a point, found from `start`, also beyond its ends.
+  /// The point of a curve nearest to a point, found from `start`, also beyond its ends.
   static double Foot(const BezierCurve& curve, const Vector3& x, double start)
   {
     double foot = start;
@@ -253,7 +254,7 @@ private:
     return this->LocateWithin(hit, 4.0 * this->Tolerance);
   }
 
-  /// Where a contact is, and what, between places before and after it.
+  /// Where a contact is, and what, between points before and after it.
   void Locate(CurvePairHit& hit, CurvePairHit before, CurvePairHit after) const
   {
     const double middle = hit.T;

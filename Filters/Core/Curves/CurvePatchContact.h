@@ -121,7 +121,7 @@ struct CurvePatchPair
     return isInside;
   }
 
-  /// The place of the surface nearest to the curve's point at T, found from where the hit is, also
+  /// The point of the surface nearest to the curve's point at T, found from where the hit is, also
   /// beyond the patch; the distance along the normal there. Whether it is one.
   bool FindFoot(CurvePatchHit& hit, double& height) const
   {
@@ -191,7 +191,7 @@ struct CurvePatchPair
     return isNear && this->LocateContact(hit) ? std::optional<CurvePatchHit>(hit) : std::nullopt;
   }
 
-  /// Whether a place may be more than a simple root: the curve nearly runs along the patch there.
+  /// Whether a point may be more than a simple root: the curve nearly runs along the patch there.
   static bool IsDoubtful(const CurvePatchHit& hit)
   {
     return hit.Slack > tolerances::Doubtful && !hit.IsResolved;
@@ -207,14 +207,14 @@ struct CurvePatchPair
     return { range, hit.R, hit.S };
   }
 
-  /// Two roots of one place: the error of X shows where patches have a pole.
+  /// Two roots of one point: the error of X shows where patches have a pole.
   static bool IsSameIntersection(const CurvePatchHit& a, const CurvePatchHit& b)
   {
     return std::abs(b.T - a.T) <= tolerances::SameParameter &&
       Distance2(a.X, b.X) <= 4.0 * (a.Error + b.Error) * (a.Error + b.Error);
   }
 
-  /// Whether the curve stays within the tolerance of the patch from one place to another.
+  /// Whether the curve stays within the tolerance of the patch from one point to another.
   bool IsOneContact(const CurvePatchHit& a, const CurvePatchHit& b) const
   {
     CurvePatchHit foot = a;
@@ -239,7 +239,7 @@ private:
     return height > 0.0 ? 1 : -1;
   }
 
-  /// Where a contact is, and what, between places before and after it; whether it is near enough.
+  /// Where a contact is, and what, between points before and after it; whether it is near enough.
   bool Locate(CurvePatchHit& hit, CurvePatchHit before, CurvePatchHit after) const
   {
     const double middle = hit.T;
@@ -313,7 +313,7 @@ private:
     return this->LocateWithin(hit, slack(s.DR), slack(s.DS));
   }
 
-  /// A place without a normal, where a side of the patch is drawn together in a point.
+  /// A point without a normal, where a side of the patch is drawn together in a point.
   std::optional<CurvePatchHit> ResolvePole(CurvePatchHit hit) const
   {
     const CurvePoint c = this->Curve.At(hit.T);

@@ -58,7 +58,7 @@ void VisitSpansOf(
   VisitSpansOf(curve.Restricted(0.5, 1.0), { middle, range.Max }, isFine, depth + 1, visit);
 }
 
-/// Gauss's quadrature of the speed, seven places.
+/// Gauss's quadrature of the speed, seven points.
 inline double GaussLength(const BezierCurve& curve, double from, double to)
 {
   static constexpr double parameters[4] = { 0.0, 0.4058451513773971669, 0.7415311855993944398,

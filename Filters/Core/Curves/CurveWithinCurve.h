@@ -46,7 +46,7 @@ inline void AppendInterval(
 
 /// Whether a curve runs along what another continues to, and which intervals of it are on the other
 /// itself. Two curves that have more points in common than the product of their degrees have all
-/// (of one piece); so many places along the curve are tried.
+/// (of one piece); so many points along the curve are tried.
 class CurveWithinCurve
 {
 public:

@@ -12,7 +12,7 @@ namespace skd
 
 /// Whether a curve runs within the surface that a patch is a part of, and which intervals of it are
 /// on the patch itself. A curve and an algebraic surface that have more points in common than the
-/// product of their degrees have all; so many places along the curve are tried.
+/// product of their degrees have all; so many points along the curve are tried.
 class CurveWithinPatch
 {
 public:

@@ -32,7 +32,7 @@ inline bool SnapToEnds(double& value, double slack)
   return true;
 }
 
-/// From a place where two things are within `maxStep` of each other to one where they are not: in
+/// From a point where two things are within `maxStep` of each other to one where they are not: in
 /// steps that double, the first of which is `step`. gapAt(hit) follows hit.T and returns what is
 /// between both; NaN, and this gives false, where nothing can be decided.
 template <class Hit, class GapAt>
@@ -69,7 +69,8 @@ double ContactLength(const Hit& hit, double maxStep, const GapAt& gapAt)
   return std::min(length, longest);
 }
 
-/// Where a function changes its sign between two places, by bisection; the middle if it does not.
+/// Where a function changes its sign between two parameters, by bisection; the middle if it does
+/// not.
 template <class Function>
 double SignChange(double low, double high, const Function& function)
 {

@@ -52,7 +52,7 @@ public:
     this->Face = nullptr;
   }
 
-  /// The place of a corner among the points; there are NumberOfSides() of them.
+  /// The index of a corner among the points; there are NumberOfSides() of them.
   int GetCorner(int side) const { return this->Sides[side].front(); }
 
   /// Whether it is one polygon, of all Points in turn.

@@ -12,7 +12,7 @@ namespace skd
 /// Tells curves, and a curve and a surface, apart that are curved alike, side by side, which no
 /// plane between them does unless they are cut into very short parts: by a quadric in between.
 ///
-/// g(x) = z - (L u^2 + 2 M u v + N v^2 + K z^2) / 2, (u, v, z) being x as seen from a place of one
+/// g(x) = z - (L u^2 + 2 M u v + N v^2 + K z^2) / 2, (u, v, z) being x as seen from a point of one
 /// of them, z along the normal and L, M, N its curvature there, is 0 on it but for terms of third
 /// order; with K, the greater curvature, on circles, cylinders and spheres altogether. Where the
 /// ranges that g takes on two things are apart, so are these. On a piece in Bernstein form g is a
@@ -22,7 +22,7 @@ namespace skd
 class SeparatingQuadric
 {
 public:
-  /// Of a curve at a place.
+  /// Of a curve at a point.
   explicit SeparatingQuadric(const CurvePoint& at)
     : Origin(at.X)
   {
@@ -83,13 +83,13 @@ private:
   struct Range
   {
     Extent Values;
-    double Size; ///< how far the control points are from the place
+    double Size; ///< how far the control points are from the point
   };
 
   bool AreApart(const Range& a, const Range& b, double tolerance) const
   {
     const double extent = std::max(a.Size, b.Size);
-    const double steepest = 1.0 + 2.0 * this->Steepness * extent; // of g, within reach
+    const double steepest = 1.0 + 2.0 * this->Steepness * extent; // of g, within the extent
     return a.Values.IsApart(b.Values, (tolerance + tolerances::SumOfTen * extent) * steepest);
   }
 

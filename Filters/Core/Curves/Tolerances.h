@@ -34,7 +34,7 @@ constexpr double Doubtful = 1e-8;
 constexpr double SameContact = 1e-6;
 /// Of a cell's width: roots beyond its ends by less are its own.
 constexpr double CellShare = 1e-6;
-/// How near simple roots of one place are, in parameters.
+/// How near simple roots of one point are, in parameters.
 constexpr double SimpleGap = 1e-6;
 /// What a root may be off by at most, in parameters.
 constexpr double MostSlack = 1e-5;

@@ -71,7 +71,7 @@ struct RigidMotion
 private:
   using Turning = Vector3 (RigidMotion::*)(const Vector3&) const;
 
-  /// Half lengths of the turned box: the magnitudes of the turned half edges, added up.
+  /// Half lengths of the rotated box: the magnitudes of the rotated half edges, added up.
   Vector3 HalfExtent(const Box3& box, Turning rotation) const
   {
     Vector3 half{ { 0.0, 0.0, 0.0 } };

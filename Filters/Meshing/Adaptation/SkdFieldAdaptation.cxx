@@ -65,7 +65,7 @@ bool SkdFieldAdaptation::WeighsByCosine(const SkdFieldSamples& samples) const
       (choice == SkdFieldWeighing::Automatic && isGrid));
 }
 
-// Places were put on a bent surface, which flat cells are off by a part of their size.
+// Positions were put on a bent surface, which flat cells are off by a part of their size.
 double SkdFieldAdaptation::ToleranceOfCells() const
 {
   const skd::SurfaceShape& shape = this->Adapter.GetShape();

@@ -27,7 +27,7 @@ enum class SkdFieldWeighing
 struct SkdAdaptationRequest
 {
   std::string Array;              ///< the field; if empty the first of numbers
-  bool IsSourceInDegrees = false; ///< its places are longitude and latitude
+  bool IsSourceInDegrees = false; ///< its positions are longitude and latitude
   SkdFieldWeighing Weighing = SkdFieldWeighing::Automatic;
   SkdSurfaceChoice Surface = SkdSurfaceChoice::Automatic;
   skd::AdaptRules Rules;

@@ -19,7 +19,7 @@ namespace skdtree
 {
 namespace
 {
-/// So many places are looked for at a time.
+/// So many points are looked for at a time.
 constexpr vtkIdType BatchSize = 1 << 17;
 }
 

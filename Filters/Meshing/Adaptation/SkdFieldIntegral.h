@@ -17,7 +17,7 @@ class vtkPoints;
 
 namespace skdtree
 {
-/// A field between the places where it is given: that of points is interpolated in the cells of
+/// A field between the points where it is given: that of points is interpolated in the cells of
 /// its mesh, that of cells is the same all over each. What is off the mesh takes what is nearest.
 /// Means over a cell are by the midpoint rule on each of the triangles around the middle of its
 /// corners, or on four parts of each where the field jumps (from cell to cell) or has many samples:
@@ -38,7 +38,7 @@ public:
   std::vector<double> GetMeans(const skd::SurfaceMesh& mesh);
 
 private:
-  /// Where the rule looks, and what each place counts.
+  /// Where the rule looks, and what each point counts.
   struct Rule
   {
     vtkSmartPointer<vtkPoints> Positions;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdFieldSamples.h
- * @brief A field as values at places.
+ * @brief A field as values at points.
  */
 
 #ifndef SkdFieldSamples_h

@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  /// Where a neighbour is finer it has points at the places where a refined cell is cut, and
+  /// Where a neighbour is finer it has points where a refined cell is cut, and
   /// perhaps between these.
   void AddBetween(const skd::LatticePoint& from, const skd::LatticePoint& to,
     std::vector<vtkIdType>& outline) const

@@ -212,7 +212,7 @@ void SkdFieldCriterion::AddListed(const Column& column, const SkdRegion& region,
     });
 }
 
-/// The cell that holds x, or without one the nearest within the reach.
+/// The cell that holds x, or without one the nearest within the search radius.
 SkdFoundCell SkdFieldCriterion::FindAt(
   const Column& column, const skd::Vector3& x, double maxDistance) const
 {

@@ -92,7 +92,7 @@ private:
   const SkdRefineSettings& Settings;
   SkdCandidateLists Lists; // of the cells of the level that was examined last
   std::vector<Finding> Findings;
-  std::vector<char> IsNear;      // of base cells: within reach of own ones; empty if all are
+  std::vector<char> IsNear;      // of base cells: near own ones; empty if all are
   std::uint64_t OwnFamilies = 0; // that were made so far
 };
 }

@@ -9,11 +9,11 @@ namespace skdtree
 {
 class SkdSource;
 
-/// Places new nodes at the mean distance from a centre of the nodes they are made of, in the
+/// Puts new nodes at the mean distance from a centre of the nodes they are made of, in the
 /// direction of their mean: on a sphere if these are on it, or between two spheres.
 skd::RefinedMesh::Placement SkdPutOnSphere(const skd::Vector3& centre);
 
-/// Places new nodes of lines, surfaces and of the boundary of volumes at the point of the surface
+/// Puts new nodes of lines, surfaces and of the boundary of volumes at the point of the surface
 /// nearest to their mean. The source must outlive it.
 skd::RefinedMesh::Placement SkdPutOnSurface(const SkdSource& surface);
 }

@@ -107,7 +107,7 @@ public:
 
   std::size_t GetNumber() const { return this->Offsets.back(); }
 
-  /// Calls visit(mesh, point) with the place of a point.
+  /// Calls visit(mesh, point) with the mesh and the id of a point.
   template <class Visit>
   void SetResult(std::size_t i, const Visit& visit) const
   {

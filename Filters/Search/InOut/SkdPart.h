@@ -41,7 +41,7 @@ struct SkdPartSettings
 {
   double Epsilon = 1e-9; // see vtkSkdTreeCellLocator::SetEpsilon
   SkdInsideMethod Method = SkdInsideMethod::Automatic;
-  bool RepairsOrientation = false; // turn triangles whose normals point inward
+  bool RepairsOrientation = false; // reverse triangles whose normals point inward
   double ChordalLength = 0.0;      // see SkdChordalLength
 
   bool operator==(const SkdPartSettings& other) const

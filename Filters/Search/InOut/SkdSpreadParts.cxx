@@ -104,7 +104,7 @@ SkdSpreadResult SkdSpreadParts::AskPart(
     [&](std::size_t i, bool is) { isInside[i] = is ? 1 : 0; }, loop);
 }
 
-// Returns which points remain to be asked for one by one.
+// Returns which points remain to be classified one by one.
 std::vector<char> SkdSpreadParts::AskRows(
   Part& part, const SkdQueryPoints& points, std::vector<char>& isInside)
 {

@@ -22,7 +22,7 @@ namespace skdtree
 /// A location in a Source: a cell and parametric coordinates in it.
 struct SkdCellLocation
 {
-  int Block = -1; // index in the list of blocks; -1: no place
+  int Block = -1; // index in the list of blocks; -1: no location
   vtkIdType CellId = -1;
   int SubId = 0;
   double PCoords[3] = { 0.0, 0.0, 0.0 };
@@ -64,7 +64,7 @@ private:
   std::vector<std::unique_ptr<LargestCell>> LargestCells; // one a block
 };
 
-/// Finds places. One object a thread.
+/// Finds locations. One object a thread.
 ///
 /// Cells that contain the point are preferred: the lowest block, then the lowest cell. Otherwise it
 /// is the nearest cell that the rules allow, ties to the lowest (block, cell).

@@ -129,7 +129,7 @@ vtkIdType SkdBodyExit::Corrected(vtkIdType number, const Vector3& x) const
     : number;
 }
 
-// Ascending, of several at one place those that leave first: bodies that touch end there. In a
+// Ascending, of several at one point those that leave first: bodies that touch end there. In a
 // vector of the calling thread.
 const std::vector<SkdBodyExit::Pass>& SkdBodyExit::FindPasses(
   const Vector3& from, const Vector3& along) const

@@ -24,7 +24,7 @@ namespace
 {
 using skd::Vector3;
 
-/// How far off, towards the middle, normals are taken for a place where the face has none: where a
+/// How far off, towards the middle, normals are taken for a point where the face has none: where a
 /// side is drawn together to a point. Those at this and half this distance are extrapolated.
 constexpr double BesideDegenerate = 1e-4;
 /// The sine of the angle between tangents below which there is no normal.
@@ -62,7 +62,7 @@ Vector3 NormalAt(const SkdParametricCell& face, const Vector3& p)
   return isThere ? (1.0 / length) * across : Vector3{ { 0.0, 0.0, 0.0 } };
 }
 
-/// Of the corner of a face between its sides; of another place on a side or within the face half a
+/// Of the corner of a face between its sides; of another point on a side or within the face half a
 /// turn, or a whole one.
 double AngleAt(const SkdParametricCell& face, const Vector3& p)
 {

@@ -34,7 +34,7 @@ public:
   }
 
   /// Calls cast(caster, starts, directions) with n rays of one process. Unless `isMerged` hits at
-  /// one place are not one.
+  /// one point are not one.
   template <class RayOf, class Cast>
   void ForAll(std::size_t n, const RayOf& rayOf, bool isMerged, const Cast& cast) const
   {

@@ -21,7 +21,7 @@ struct SkdHitCells
 
 /// Of the first hits: the first of each ray in the own piece, and in those of processes that have
 /// boxes before it. With `all`, all cells that rays hit. `trees` are those of the own piece. Rays
-/// that are cast at these cells alone, with those that reach the bounds of the Source, hit what
+/// that are cast at these cells alone, with those that meet the bounds of the Source, hit what
 /// they hit in the whole. All processes must call it together.
 SkdHitCells SkdFindHitCells(vtkAlgorithm* algorithm, const std::vector<SkdCastRays>& rays,
   const SkdSourceTrees& trees, const SkdSpreadSource& spread, const SkdRayLimits& limits, bool all,

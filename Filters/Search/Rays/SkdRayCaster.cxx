@@ -158,7 +158,7 @@ SkdRayHitLists SkdRayCaster::FindFirst(
   return lists;
 }
 
-/// Sorts hits and leaves one of each place, in front. Returns the number of places.
+/// Sorts hits and leaves one of each point, in front. Returns the number of points.
 std::size_t SkdRayCaster::Merge(SkdRayHit* first, SkdRayHit* last) const
 {
   std::sort(first, last, IsBefore);

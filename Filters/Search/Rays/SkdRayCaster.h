@@ -12,7 +12,7 @@
 
 namespace skdtree
 {
-/// A place where a ray meets the Source.
+/// A point where a ray meets the Source.
 struct SkdRayHit
 {
   double Distance; // along the ray's direction: negative behind the start
@@ -67,7 +67,7 @@ public:
 
   ///@{
   /// The first hit of each ray, or all of them. Directions have length 1, or 0: no hit. After an
-  /// abort the remaining rays have none. Hits in several cells at one place are one, of the lowest
+  /// abort the remaining rays have none. Hits in several cells at one point are one, of the lowest
   /// (block, cell id).
   SkdRayHitLists FindFirst(const Vectors& starts, const Vectors& directions, SkdLoop& loop) const;
   SkdRayHitLists FindAll(const Vectors& starts, const Vectors& directions, SkdLoop& loop) const;

@@ -60,7 +60,7 @@ inline vtkIdType SkdCountStarts(const std::vector<SkdCastRays>& rays)
 /// Adds the number of hits of each ray.
 void SkdAddHitCounts(vtkDataSetAttributes* data, const SkdCastRays& rays);
 
-/// Adds distance, place, cell, side and, of a composite Source, block of the first hit of each ray.
+/// Adds distance, point, cell, side and, of a composite Source, block of the first hit of each ray.
 void SkdAddFirstHits(
   vtkDataSetAttributes* data, const SkdCastRays& rays, const SkdRayTarget& target);
 

@@ -21,7 +21,7 @@ public:
   /// The surfaces of the blocks, with their indices.
   std::vector<SkdBlock> Update(const std::vector<SkdBlock>& blocks);
 
-  /// The cell of a block, given by its place in the list, that a cell of its surface is a face of.
+  /// The cell of a block, given by its index in the list, that a cell of its surface is a face of.
   vtkIdType GetCellId(int block, vtkIdType cell) const
   {
     const auto& surface = this->Surfaces[static_cast<std::size_t>(block)];

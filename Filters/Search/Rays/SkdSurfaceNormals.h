@@ -14,7 +14,7 @@ namespace skdtree
 {
 /// The unit normal of a surface cell by its corners, to the side from which they go round
 /// counterclockwise; of a strip that of the triangle nearest to x, of a curved cell that at the
-/// place nearest to x. 0 of other cells, and of cells without area. Thread-safe after
+/// point nearest to x. 0 of other cells, and of cells without area. Thread-safe after
 /// SkdTouchCells().
 skd::Vector3 SkdNormalOfCell(vtkDataSet* mesh, vtkIdType cell, const skd::Vector3& x);
 

@@ -16,8 +16,8 @@ namespace
 {
 using skd::Vector3;
 
-/// Directions within a cone about the third axis: evenly over the solid angle, turned by the golden
-/// angle from one to the next.
+/// Directions within a cone about the third axis: evenly over the solid angle, rotated by the
+/// golden angle from one to the next.
 std::vector<Vector3> MakeCone(int rays, double angle)
 {
   const double golden = vtkMath::Pi() * (3.0 - std::sqrt(5.0));

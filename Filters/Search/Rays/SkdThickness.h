@@ -41,8 +41,8 @@ struct SkdThickness
 /// By spheres: the diameter of the largest sphere within the body that touches the surface at the
 /// point, by the shrinking ball of J. Ma, S. W. Bae, S. Choi, "3D medial axis point approximation
 /// using nearest neighbors and the normal field", The Visual Computer 28 (2012) 7-19, with the
-/// nearest point of all cells in place of samples, or nearly that where much of the surface is
-/// equally far (SkdTiedNearest): then spheres may reach through it by 0.002 of their radius, and
+/// nearest point of all cells instead of samples, or nearly that where much of the surface is
+/// equally far (SkdTiedNearest): then spheres may extend through it by 0.002 of their radius, and
 /// most by far less. A contact that the centre sees at less than
 /// `Separation` from the point is one with a facet next to it and does not count.
 class SkdThicknessMeasure

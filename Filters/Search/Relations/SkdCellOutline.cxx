@@ -69,7 +69,7 @@ void SkdCellOutline::AddSteps()
 //------------------------------------------------------------------------------
 bool SkdCellOutline::Shares(const SkdCellOutline& other, SkdSharedPart part, double tolerance) const
 {
-  // The first point of the other in the same place as each of ours.
+  // The first point of the other at the same position as each of ours.
   std::vector<int> same;
   for (const skd::Vector3& x : this->Points)
   {

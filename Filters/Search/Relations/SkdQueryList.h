@@ -39,7 +39,7 @@ public:
 private:
   void Clear();
   void AddBlock(int blockIndex, vtkIdType size);
-  /// Its block and its place there.
+  /// Its block and its index there.
   std::pair<std::size_t, vtkIdType> Find(vtkIdType query) const;
 
   std::optional<SkdQueryShape> Shape;

@@ -5,7 +5,7 @@
  * @brief The query object q of section 3, and tests by the boxes of cells.
  *
  * A shape is a ball (a point, when its radius is 0), a plane, or a set of simplices: a box, which
- * may be turned and flat, a line, a cell. All are closed. A shape that is not finite, or a ball of
+ * may be rotated and flat, a line, a cell. All are closed. A shape that is not finite, or a ball of
  * negative radius, is invalid: no cell is related to it.
  */
 
@@ -101,7 +101,7 @@ public:
   bool IsCandidate(
     SkdRelation relation, const SkdCellTree& tree, std::uint32_t cell, double tolerance) const;
 
-  /// The sides of the bounds, a bit each, that a point is beyond by more than the reach: what is
+  /// The sides of the bounds, a bit each, that a point is beyond by more than the distance: what is
   /// straight between points that are all beyond one side is not nearer. None of a plane.
   unsigned char SidesOf(const skd::Vector3& x, double maxDistance) const;
 

@@ -198,7 +198,7 @@ SkdSpatialSearch::Cells SkdSpatialSearch::FindRelated(const SkdQueryShape& shape
 }
 
 //------------------------------------------------------------------------------
-// The boxes that come as near as some reach hold all that is as near. The reach grows until what is
+// The boxes within some radius hold all that is as near. The radius grows until what is
 // found in it is sure to be nearest; `search` has their distance, or too few of them.
 template <class Search>
 SkdSpatialSearch::Cells SkdSpatialSearch::FindWidening(

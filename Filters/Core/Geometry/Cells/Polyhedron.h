@@ -19,7 +19,7 @@
 namespace skd
 {
 
-/// A triangle of a face: corners by their place in the face, Middle for the mean of its points.
+/// A triangle of a face: corners by their index in the face, Middle for the mean of its points.
 struct FaceTriangle
 {
   static constexpr int Middle = -1;

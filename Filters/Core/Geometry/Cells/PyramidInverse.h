@@ -11,7 +11,7 @@ namespace skd
 {
 
 /// The inverse of a pyramid's map. The line from the apex through x meets the base in at most two
-/// places (r, s): two bilinear equations in these, a quadratic one in r. No iteration is needed but
+/// points (r, s): two bilinear equations in these, a quadratic one in r. No iteration is needed but
 /// to win back digits. Seen from the apex, x is w (E + r U + s V + r s W), with w = 1 - t.
 template <>
 class InverseMap<Pyramid>
@@ -27,7 +27,7 @@ public:
     this->SolveBase();
   }
 
-  /// Of the two places that nearer to the middle.
+  /// Of the two points that nearer to the middle.
   Vector3 Guess() const
   {
     return this->FromMiddle(this->Positions[1]) < this->FromMiddle(this->Positions[0])

@@ -54,7 +54,7 @@ inline PatchPoint PatchPointAt(
   return { point, at.R, at.S, Norm2(view.At(at)) };
 }
 
-/// The nearest of the edges and of all places inside where the distance may be least.
+/// The nearest of the edges and of all points inside where the distance may be least.
 inline PatchPoint ClosestOfAllOnPatch(
   const Vector3* points, const PatchView& view, const Vector3& x)
 {

@@ -79,7 +79,7 @@ private:
   }
 };
 
-/// Calls visit(parameters) for every place inside the patch where the distance from x may be least.
+/// Calls visit(parameters) for every point inside the patch where the distance from x may be least.
 template <class Visit>
 void VisitStationaryPoints(const PatchView& view, Visit&& visit)
 {

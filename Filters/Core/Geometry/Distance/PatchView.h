@@ -12,7 +12,7 @@
 namespace skd
 {
 
-/// A place on a patch, in [0, 1] x [0, 1].
+/// The parameters of a point on a patch, in [0, 1] x [0, 1].
 struct PatchParameters
 {
   double R;

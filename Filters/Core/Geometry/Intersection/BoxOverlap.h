@@ -56,7 +56,7 @@ inline double LargestOf(const Vector3& a)
   return std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(a[2]) });
 }
 
-/// Whether the box is aside of what reaches from `low` to `high` along an axis (0 is among that:
+/// Whether the box is aside of what extends from `low` to `high` along an axis (0 is among that:
 /// the point that the box is seen from).
 inline bool IsAside(
   const RelativeBox& box, const Vector3& axis, double low, double high, double size)

@@ -112,7 +112,7 @@ inline SegmentContact MeetInPlane(const Segment<3>& first, const Segment<3>& sec
   { return sign == 0 ? 0.0 : AreaOf(line.A, line.B, x, axis); };
   double t = CrossingParameter(area(second, first.A, ends[0]), area(second, first.B, ends[1]));
   double s = CrossingParameter(area(first, second.A, ends[2]), area(first, second.B, ends[3]));
-  // The place of an end on the other is the same, whichever piece of a polyline has that end.
+  // The parameter of an end on the other is the same, whichever piece of a polyline has that end.
   if (ends[0] * ends[1] == 0 && ends[2] * ends[3] != 0)
   {
     s = ParameterOnSegment(second, ends[0] == 0 ? first.A : first.B);

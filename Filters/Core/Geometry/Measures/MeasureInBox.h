@@ -13,8 +13,8 @@ namespace skd
 /// How much of a box is inside of a closed surface of triangles: a volume, of a box that is flat
 /// along one axis an area, along two a length. Exact but for rounding.
 ///
-/// Only the triangles that meet the closed box matter, turned so that their normals point out, and
-/// whether one corner of the box is inside, which must not be on the surface. By the divergence
+/// Only the triangles that meet the closed box matter, oriented so that their normals point out,
+/// and whether one corner of the box is inside, which must not be on the surface. By the divergence
 /// theorem three times over. Seen from that corner, with the box in [-length, 0]:
 ///
 ///   z +-------* corner   volume = integral of (x + length) over the surface in the box

@@ -21,8 +21,8 @@ namespace skd
 ///   int orient(a, b, c): 1 when a, b, c turn left, -1 right, 0 on one line; signs must be exact;
 ///   bool isBetter(a, b, c, d): whether the edge from c to d is better than that from a to b (c on
 ///     the left of it, d on the right). Only as to shape: it may be rounded.
-/// So places may be of any kind of number. First points on the border are added, then those inside,
-/// then edges, none of which may cross another but at a point.
+/// So coordinates may be of any kind of number. First points on the border are added, then those
+/// inside, then edges, none of which may cross another but at a point.
 ///
 /// By flips of edges (S. W. Sloan, Computers & Structures 47 (1993) 441-450). About O(n) for points
 /// that are added near the ones before, and O(k^2) for an edge that crosses k others.
@@ -57,7 +57,7 @@ public:
     this->PutOn(point, this->Mesh.FindSide(from, to));
   }
 
-  /// Adds a point inside. Returns it, or the one that is at that place already.
+  /// Adds a point inside. Returns it, or the one that is at that position already.
   int Add(int point)
   {
     const int at = this->Locate(point);

@@ -74,7 +74,7 @@ private:
     return flat < this->Left.size() ? flat : 0;
   }
 
-  /// Whether no other corner is in the triangle. Those in the place of one of its corners do not
+  /// Whether no other corner is in the triangle. Those at the position of one of its corners do not
   /// count: polygons may touch themselves.
   bool IsFree(int a, int b, int c) const
   {

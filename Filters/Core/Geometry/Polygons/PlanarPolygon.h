@@ -46,7 +46,7 @@ struct PolygonPlane
 {
   Vector3 Origin;
   Vector3 Normal;   ///< as long as twice the area
-  bool IsUncertain; ///< the polygon is thin: rounding may have turned the normal
+  bool IsUncertain; ///< the polygon is thin: rounding may have changed the normal
 
   template <class Points>
   PolygonPlane(const Points& points, int size)

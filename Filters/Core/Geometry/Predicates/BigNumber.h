@@ -95,7 +95,7 @@ public:
   }
 
 private:
-  /// The place of the digit after the highest.
+  /// The position of the digit after the highest.
   int Top() const { return this->Exponent + static_cast<int>(this->Digits.size()); }
 
   std::uint32_t At(int digit) const
@@ -161,7 +161,7 @@ private:
   }
 
   std::vector<std::uint32_t> Digits; // the lowest first; neither end is 0
-  int Exponent = 0;                  // the place of the lowest, in digits of 32 bits
+  int Exponent = 0;                  // the position of the lowest, in digits of 32 bits
   bool IsNegative = false;
 };
 

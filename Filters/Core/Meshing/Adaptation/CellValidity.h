@@ -9,7 +9,7 @@
 namespace skd
 {
 
-/// Whether a cell is turned as it should be and does not cross itself, seen along its normal or
+/// Whether a cell is oriented as it should be and does not cross itself, seen along its normal or
 /// from the middle of its sphere: by exact signs.
 class CellValidity
 {

@@ -53,12 +53,12 @@ public:
   ConjugatePotential(const SurfaceMesh& image, const SurfaceShape& shape,
     const std::vector<Vector3>& from, const std::vector<double>& potential);
 
-  /// The potential of the way back at the places `at`, one a cell; those of neighbours are near
-  /// each other. O(N) where the mesh is not folded.
+  /// The potential of the inverse map at the positions `at`, one a cell; those of neighbours are
+  /// near each other. O(N) where the mesh is not folded.
   std::vector<double> FindAll(const std::vector<Vector3>& at) const;
 
 private:
-  /// A cell near a place, in coordinates in which all of them are about as far in any direction.
+  /// A cell near a position, in coordinates in which all of them are about as far in any direction.
   struct Near
   {
     std::uint32_t Cell;
@@ -193,7 +193,7 @@ inline void ConjugatePotential::Weigh(std::vector<Near>& around)
   }
 }
 
-/// At the place that the others are around: of the linear function that fits theirs best.
+/// At the position that the others are around: of the linear function that fits theirs best.
 inline Vector3 ConjugatePotential::GradientAt(const std::vector<Near>& around) const
 {
   const Vector3 none{ { 0.0, 0.0, 0.0 } };

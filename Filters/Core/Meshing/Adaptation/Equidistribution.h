@@ -24,7 +24,7 @@ namespace skd
 /// cell has of that part's weight. Points go from where they were at first along the gradient of a
 /// potential, as in the transport of mass at the least cost: in the plane to X + grad phi, on a
 /// sphere along great circles (R. J. McCann, Geom. Funct. Anal. 11 (2001) 589-608), so that cells
-/// are neither turned nor sheared more than need be. Each step solves the equation of Monge and
+/// are neither rotated nor sheared more than need be. Each step solves the equation of Monge and
 /// Ampere as linearised about the mesh where it is: what goes through each edge is what is missing,
 /// share - monitor x area of the cells themselves (compare H. Weller, P. Browne, C. Budd, M.
 /// Cullen, J. Comput. Phys. 308 (2016) 102-123). Where it comes to rest shares are equal for the
@@ -73,7 +73,7 @@ public:
   void Restart(std::vector<double> weights);
 
   /// Where points go that come from the mesh at first as those of `image`, which has been moved by
-  /// steps, have come from it: the way back. From there the next step goes on.
+  /// steps, have come from it: the inverse map. From there the next step goes on.
   std::vector<Vector3> Invert(const SurfaceMesh& image);
 
   /// Where points go with a potential that is this part of what it is.
@@ -260,7 +260,7 @@ inline void Equidistribution::FindCrossedEdges(const SurfaceMesh& mesh)
   }
 }
 
-/// Where a point goes that has a gradient, and where the way changes to if the gradient changes.
+/// Where a point goes that has a gradient, and where it moves if the gradient changes.
 inline Vector3 Equidistribution::Move(const Vector3& from, const Vector3& along) const
 {
   const double length = Norm(along);

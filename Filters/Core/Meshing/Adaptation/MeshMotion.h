@@ -53,11 +53,11 @@ public:
   std::uint32_t GetFirstInvalidCell() const { return this->FirstInvalid; }
   double FindSmallestQuality(const SurfaceMesh& mesh) const;
 
-  /// Moves points to places. Where a few cells would be spoilt the points around go amid their
+  /// Moves points to positions. Where a few cells would be spoilt the points around go amid their
   /// neighbours instead. False, and nothing has moved, if this does not help.
   bool MoveWhole(SurfaceMesh& mesh, const std::vector<Vector3>& positions, Outcome& outcome);
 
-  /// Moves points towards places. Where cells would be spoilt their points go along with their
+  /// Moves points towards positions. Where cells would be spoilt their points go along with their
   /// neighbours instead; where this does not help half as far, then not at all. If that would hold
   /// back many, MoveWhole is tried first.
   Outcome Move(SurfaceMesh& mesh, const std::vector<Vector3>& positions);

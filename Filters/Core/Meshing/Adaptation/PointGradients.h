@@ -195,7 +195,7 @@ private:
 /// squares over the cells around each point, exact for linear values in a plane, and for quadratic
 /// ones where the mesh is regular. For that weights fall with the third power of the distance, and
 /// a point of only three cells (hexagons, say) takes those of its neighbours, too: a triangle and
-/// the one turned about that is twice as large. Where all these say nothing of a direction (at a
+/// the one rotated about that is twice as large. Where all these say nothing of a direction (at a
 /// corner, say) the gradient has no part in it.
 class PointGradients : public GradientWeights
 {

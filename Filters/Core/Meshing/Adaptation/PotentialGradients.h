@@ -15,7 +15,7 @@ namespace skd
 /// are exact for quadratic potentials on any mesh in a plane. Taken from the cells around a point
 /// and the next ones across edges, which are mirror images across the border; where these
 /// cells are thin (at the poles of a grid of longitudes and latitudes, say) from more of them, so
-/// that they reach about as far in all directions.
+/// that they extend about as far in all directions.
 class PotentialGradients : public GradientWeights
 {
 public:

@@ -49,7 +49,7 @@ struct SurfaceShape
                                       : this->Normal;
   }
 
-  /// The way from one point of a plane or sphere to another one, of its length and with the
+  /// The path from one point of a plane or sphere to another one, of its length and with the
   /// direction that it begins with: on a sphere along a great circle.
   Vector3 Along(const Vector3& from, const Vector3& to) const
   {

@@ -18,7 +18,7 @@ enum class Contact : int
   Corner = 3
 };
 
-/// Calls visit(place) for the places of all neighbours over such contacts.
+/// Calls visit(point) for the lattice points of all neighbours over such contacts.
 template <class Visit>
 void ForEachNeighbour(const LatticePoint& position, Contact contact, Visit visit)
 {

@@ -123,7 +123,7 @@ public:
     next.Children.insert(next.Children.end(), this->FamilySize(), None);
   }
 
-  /// The cell at a place of a level, or the leaf of a lower level that covers it. O(level).
+  /// The cell at a lattice point of a level, or the leaf of a lower level that covers it. O(level).
   Node Find(int level, const LatticePoint& position) const
   {
     std::array<std::int64_t, 3> across{ 1, 1, 1 };

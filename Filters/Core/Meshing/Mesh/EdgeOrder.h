@@ -10,7 +10,7 @@
 namespace skd
 {
 
-/// An edge with its place in the one order of all edges of a mesh: by length, then by where its
+/// An edge with its rank in the one order of all edges of a mesh: by length, then by where its
 /// ends are, then by their numbers. So which of several edges is the longest depends on the mesh
 /// alone, not on how its cells and nodes are numbered.
 class OrderedEdge

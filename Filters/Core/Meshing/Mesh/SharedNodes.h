@@ -18,7 +18,8 @@ namespace skd
 /// The nodes that pieces of a mesh, each with a process of its own, have in common: those of equal
 /// coordinates and the same descent, which is how many times nodes were made of nodes before it
 /// was, and of how many it is made. (So a node that was there is not the one that is made in the
-/// same place.) Nothing is sent of what lies within the bounds of no other process. O(log) a node.
+/// same position.) Nothing is sent of what lies within the bounds of no other process. O(log) a
+/// node.
 class SharedNodes
 {
 public:

@@ -13,8 +13,8 @@ namespace skd
 {
 
 /// Numbers sets of N numbers, the nodes of an edge or of a face, say: 0, 1, ... in the order in
-/// which they are first met. A hash table with open places, 4 N + 8 to 4 N + 16 bytes a set; O(1).
-/// Any number of threads may Find() while none adds.
+/// which they are first met. A hash table with open addressing, 4 N + 8 to 4 N + 16 bytes a set;
+/// O(1). Any number of threads may Find() while none adds.
 template <int N>
 class TupleNumbers
 {

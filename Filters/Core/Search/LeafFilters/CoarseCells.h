@@ -81,7 +81,7 @@ public:
     return this->RangeOf({ low, low, low }, { high, high, high });
   }
 
-  /// That of the box of a triangle: `lows` are where its corners are, or how far down they reach,
+  /// That of the box of a triangle: `lows` are where its corners are, or how far down they extend,
   /// `highs` how far up.
   Range RangeOf(const CellPositions& lows, const CellPositions& highs) const
   {

@@ -48,7 +48,7 @@ struct alignas(64) PlaneRow
 
   /// The plane along a face of what the points (on the grid) span, beside them all and `margin`
   /// away from them, given a direction across it, either way, and a point of it: outward is where
-  /// the points reach less far from there. A direction without length excludes nothing.
+  /// the points extend less far from there. A direction without length excludes nothing.
   void SetAlongFace(int lane, const Vector3& across, const Vector3& onFace, const Vector3* points,
     int count, double margin)
   {
@@ -81,7 +81,7 @@ struct alignas(64) PlaneRow
     }
   }
 
-  /// Bit i: x, which is within the grid's reach, may be in the cell of lane i.
+  /// Bit i: x, which is within the grid's extent, may be in the cell of lane i.
   SKD_FLATTEN unsigned MayHold(const float* x) const
   {
     unsigned held = 0;
@@ -164,7 +164,7 @@ private:
     return (value + large) - large;
   }
 
-  /// Within the grid's reach.
+  /// Within the grid's extent.
   template <class Number>
   static Number LeastWholeAbove(const Number& value)
   {

@@ -14,15 +14,15 @@ namespace skd
 /// smaller than the data set are thus represented as accurately as large ones, in a quarter of the
 /// memory of doubles.
 ///
-/// The unit is never below 2^-46 of the tree's frame, where double precision ends: there a place is
-/// off by less than Slack besides the half unit that rounding costs.
+/// The unit is never below 2^-46 of the tree's frame, where double precision ends: there a position
+/// is off by less than Slack besides the half unit that rounding costs.
 class QuantizationGrid
 {
 public:
   static constexpr int Largest = 32767;
   static constexpr double Slack = 1.0 / 64.0;
-  /// A corner, once rounded, is at most so far from its place, in each coordinate; in all, that is
-  /// with sqrt(3).
+  /// A corner, once rounded, is at most so far from its position, in each coordinate; in all, that
+  /// is with sqrt(3).
   static constexpr double CornerError = 0.5 + Slack;
   static constexpr double CornerDistance = 0.9;
 
@@ -41,7 +41,7 @@ public:
     this->Unit = static_cast<float>(std::max(least, half / (Largest - 1)));
   }
 
-  /// In units, of a place in the tree's frame.
+  /// In units, of a position in the tree's frame.
   Vector3 Of(const Vector3& position) const
   {
     const double inverse = 1.0 / this->Unit;

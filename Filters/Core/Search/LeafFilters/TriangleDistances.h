@@ -13,10 +13,10 @@ namespace skd
 
 /// Lower and upper bounds of the distances of a packet's triangles from a point.
 ///
-/// A place of each triangle near to the point is found in single precision. It bounds the distance
-/// from above; from below the corners do, as seen along the line to that place, whatever rounding
+/// A point of each triangle near to the point is found in single precision. It bounds the distance
+/// from above; from below the corners do, as seen along the line to that point, whatever rounding
 /// made of it: no point of a triangle comes nearer than the plane across a line that all its
-/// corners are behind. Where the place is the nearest, the two bounds meet.
+/// corners are behind. Where the point is the nearest, the two bounds meet.
 class TriangleDistances
 {
 public:
@@ -58,7 +58,7 @@ public:
   }
 
 private:
-  /// A place in each triangle: r u + s v from its corner a.
+  /// A point in each triangle: r u + s v from its corner a.
   template <int W>
   struct Barycentric
   {
@@ -85,7 +85,7 @@ private:
     (length + L(error)).Store(this->Most + first);
   }
 
-  /// The place nearest to a + f, as well as single precision finds it, but always in the triangle.
+  /// The point nearest to a + f, as well as single precision finds it, but always in the triangle.
   template <int W>
   static Barycentric<W> Nearest(const LanePoint<W>& u, const LanePoint<W>& v, const LanePoint<W>& f)
   {
