@@ -270,9 +270,7 @@ int vtkSkdTreeAMR::FillInputPortInformation(int port, vtkInformation* info)
   this->Superclass::FillInputPortInformation(port, info);
   if (port == 1)
   {
-    info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
+    SkdAccept(info, { "vtkImageData", "vtkRectilinearGrid" });
   }
   return 1;
 }

@@ -46,10 +46,9 @@ int vtkSkdTreeAttach::GetTreesBuilt() const
 vtkTypeBool vtkSkdTreeAttach::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const SkdValidInput valid(this, request, inputVector);
-  const vtkTypeBool result = this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
-  valid.Report(outputVector);
-  return result;
+  return SkdProcessValid(this, request, inputVector, outputVector,
+    [&](vtkInformationVector** valid)
+    { return this->Superclass::ProcessRequest(request, valid, outputVector); });
 }
 
 int vtkSkdTreeAttach::FillInputPortInformation(int, vtkInformation* info)

@@ -67,11 +67,7 @@ vtkSkdTreeBooleanOperation::~vtkSkdTreeBooleanOperation() = default;
 
 void vtkSkdTreeBooleanOperation::SetTransform(vtkMatrix4x4* motion)
 {
-  if (const auto matrix = SkdCopyIfRigid(this, motion))
-  {
-    this->Impl->Matrix = *matrix;
-    this->Modified();
-  }
+  SkdSetTransform(this, motion, this->Impl->Matrix);
 }
 
 vtkMatrix4x4* vtkSkdTreeBooleanOperation::GetTransform()

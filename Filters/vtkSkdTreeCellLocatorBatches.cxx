@@ -25,6 +25,21 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
+/// For each point of a batch calls find(state, slot, the point in the tree's coordinates), by
+/// SkdBatch::CountTrue; of how many it returns true.
+template <class Locator, class MakeState, class Find>
+vtkIdType CountFound(
+  const SkdBatch& points, const Locator& locator, const MakeState& makeState, const Find& find)
+{
+  return points.CountTrue(makeState,
+    [&](auto& state, vtkIdType slot)
+    {
+      double x[3];
+      points.Read(slot, x);
+      return find(state, slot, locator.ToTree(x));
+    });
+}
+
 /// The cells within boxes, as lists in the order of the tree, or by id.
 vtkIdType FindLists(const SkdCellTree& tree, const skd::RigidMotion* motion, vtkDataArray* boxes,
   bool byId, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds)
@@ -173,12 +188,11 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestPoints(vtkDataArray* points, vtkIdTy
   double* nearest = SkdPrepare(closestPoints, "SkdClosestPoint", 3, size);
   double* lengths = SkdPrepare(distances, "SkdDistance", 1, size);
   const double limit2 = radius >= 0.0 ? radius * radius : -1.0;
-  return batch.CountTrue([&] { return SkdCoherentNearest(tree, { this->DataSet }, limit2); },
-    [&](SkdCoherentNearest& coherent, vtkIdType slot)
+  return CountFound(
+    batch, *this->Impl, [&] { return SkdCoherentNearest(tree, { this->DataSet }, limit2); },
+    [&](SkdCoherentNearest& coherent, vtkIdType slot, const skd::Vector3& x)
     {
-      double x[3];
-      batch.Read(slot, x);
-      const SkdFoundCell found = coherent.Find(this->Impl->ToTree(x));
+      const SkdFoundCell found = coherent.Find(x);
       const bool isFound = found.Id >= 0;
       SkdStoreAt(ids, slot, found.Id);
       SkdStoreAt(nearest, slot, isFound ? this->Impl->ToWorld(found.Point) : SkdNoPoint());
@@ -207,12 +221,11 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestNCells(
   vtkIdType* ids = SkdPrepare(cellIds, "SkdClosestCellId", n, size);
   double* lengths = SkdPrepare(distances, "SkdDistance", n, size);
   const double limit2 = radius >= 0.0 ? radius * radius : -1.0;
-  return batch.CountTrue([&] { return SkdCellSource{ this->DataSet }; },
-    [&](const SkdCellSource& source, vtkIdType slot)
+  return CountFound(
+    batch, *this->Impl, [&] { return SkdCellSource{ this->DataSet }; },
+    [&](const SkdCellSource& source, vtkIdType slot, const skd::Vector3& x)
     {
-      double x[3];
-      batch.Read(slot, x);
-      const auto& found = tree.FindNearestCells(this->Impl->ToTree(x), n, limit2, source);
+      const auto& found = tree.FindNearestCells(x, n, limit2, source);
       const auto number = static_cast<int>(found.size());
       for (int i = 0; i < n; ++i)
       {
@@ -248,12 +261,11 @@ vtkIdType vtkSkdTreeCellLocator::FindCellsAndWeights(vtkDataArray* points, vtkId
   vtkIdType* ids = SkdPrepare(cellIds, "SkdCellId", 1, size);
   double* coordinates = SkdPrepare(pcoords, "SkdParametricCoordinates", 3, size);
   WeightRows rows(tree.Cells(), pointIds, weights, size);
-  return batch.CountTrue([&] { return SkdCellSource{ this->DataSet }; },
-    [&](const SkdCellSource& source, vtkIdType slot)
+  return CountFound(
+    batch, *this->Impl, [&] { return SkdCellSource{ this->DataSet }; },
+    [&](const SkdCellSource& source, vtkIdType slot, const skd::Vector3& x)
     {
-      double x[3];
-      batch.Read(slot, x);
-      SkdFoundCell found = tree.FindContaining(this->Impl->ToTree(x), tol2, -1, source);
+      SkdFoundCell found = tree.FindContaining(x, tol2, -1, source);
       const bool isFound = found.Id >= 0;
       SkdStoreAt(ids, slot, found.Id);
       double* row = rows.Begin(slot, found.Id);

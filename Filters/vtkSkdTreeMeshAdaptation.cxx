@@ -124,9 +124,7 @@ int vtkSkdTreeMeshAdaptation::FillInputPortInformation(int port, vtkInformation*
   this->Superclass::FillInputPortInformation(port, info);
   if (port == 0)
   {
-    info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    SkdAccept(info, { "vtkPointSet", "vtkCompositeDataSet" });
   }
   return 1;
 }

@@ -198,10 +198,9 @@ vtkSkdTreeRepresentation::~vtkSkdTreeRepresentation() = default;
 vtkTypeBool vtkSkdTreeRepresentation::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const SkdValidInput valid(this, request, inputVector);
-  const vtkTypeBool result = this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
-  valid.Report(outputVector);
-  return result;
+  return SkdProcessValid(this, request, inputVector, outputVector,
+    [&](vtkInformationVector** valid)
+    { return this->Superclass::ProcessRequest(request, valid, outputVector); });
 }
 
 int vtkSkdTreeRepresentation::FillInputPortInformation(int, vtkInformation* info)

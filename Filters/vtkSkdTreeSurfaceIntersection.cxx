@@ -229,11 +229,7 @@ vtkSkdTreeSurfaceIntersection::~vtkSkdTreeSurfaceIntersection() = default;
 
 void vtkSkdTreeSurfaceIntersection::SetTransform(vtkMatrix4x4* motion)
 {
-  if (const auto matrix = SkdCopyIfRigid(this, motion))
-  {
-    this->Impl->Matrix = *matrix;
-    this->Modified();
-  }
+  SkdSetTransform(this, motion, this->Impl->Matrix);
 }
 
 vtkMatrix4x4* vtkSkdTreeSurfaceIntersection::GetTransform()

@@ -9,8 +9,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkTransform.h"
 
-#include <optional>
-
 namespace skdtree
 {
 /// Where a filter looks at its Source, by its properties Translation, Rotation and RotationCenter,
@@ -38,25 +36,24 @@ vtkSmartPointer<vtkMatrix4x4> SkdMotionOf(Filter* self)
   return transform->GetMatrix();
 }
 
-/// A copy of a matrix that is to be a filter's Transform (nullptr: none); nothing, with an error,
-/// if it is not rigid.
-inline std::optional<vtkSmartPointer<vtkMatrix4x4>> SkdCopyIfRigid(
-  vtkObject* self, vtkMatrix4x4* motion)
+/// Makes a copy of a matrix (nullptr: none) the Transform of a filter, which is then modified. An
+/// error, and no change, if it is not rigid.
+inline void SkdSetTransform(
+  vtkObject* self, vtkMatrix4x4* motion, vtkSmartPointer<vtkMatrix4x4>& transform)
 {
-  if (!motion)
-  {
-    return vtkSmartPointer<vtkMatrix4x4>();
-  }
-  if (!skd::RigidMotion::FromMatrix(&motion->Element[0][0]))
+  if (motion && !skd::RigidMotion::FromMatrix(&motion->Element[0][0]))
   {
     vtkErrorWithObjectMacro(self,
       "The transform is not rigid and is ignored. "
       "Use rotations, reflections and translations only.");
-    return std::nullopt;
+    return;
   }
-  auto copy = vtkSmartPointer<vtkMatrix4x4>::New();
-  copy->DeepCopy(motion);
-  return copy;
+  transform = motion ? vtkSmartPointer<vtkMatrix4x4>::New() : nullptr;
+  if (motion)
+  {
+    transform->DeepCopy(motion);
+  }
+  self->Modified();
 }
 }
 

@@ -16,14 +16,24 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <initializer_list>
+
 namespace skdtree
 {
+/// An input of any of some classes.
+inline void SkdAccept(vtkInformation* port, std::initializer_list<const char*> classes)
+{
+  port->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  for (const char* name : classes)
+  {
+    port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), name);
+  }
+}
+
 /// An input of any vtkDataSet, or composite of them.
 inline void SkdAcceptMeshes(vtkInformation* port)
 {
-  port->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  SkdAccept(port, { "vtkDataSet", "vtkCompositeDataSet" });
 }
 
 /// Requests the whole of an input, whatever piece of the output is requested.

@@ -47,6 +47,18 @@ private:
   std::vector<vtkSmartPointer<vtkInformationVector>> Repaired;
   std::vector<vtkInformationVector*> RepairedInputs;
 };
+
+/// The ProcessRequest of a filter that has nothing else to do there: process(inputs) is that of its
+/// superclass.
+template <class Process>
+auto SkdProcessValid(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, const Process& process)
+{
+  const SkdValidInput valid(filter, request, inputs);
+  const auto result = process(valid.Get());
+  valid.Report(outputs);
+  return result;
+}
 }
 
 #endif

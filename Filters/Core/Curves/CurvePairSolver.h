@@ -36,12 +36,7 @@ public:
       LinePair(pair).Find(this->Hits);
       return this->Hits;
     }
-    const CurvePairCell whole{ first, second };
-    if (CurvePairHulls(whole).AreApart(tolerance) || CurveWithinCurve(pair).Find(this->Hits))
-    {
-      return this->Hits;
-    }
-    return this->SearchBelow(whole, pair,
+    return this->Search<CurvePairHulls, CurveWithinCurve>({ first, second }, pair,
       [&](const CurvePairCell& cell, bool mayHalve) { this->Examine(cell, pair, mayHalve); });
   }
 
@@ -79,7 +74,7 @@ private:
     this->Stack.end()[-2].Depth = this->Stack.back().Depth = cell.Depth + 1;
   }
 
-  /// The one place of the cell where both curves are level, seen along what is across both; whether
+  /// The one point of the cell where both curves are level, seen along what is across both; whether
   /// they also meet there.
   void FindOnly(const CurvePairCell& cell, const PairInverse& inverse, const CurvePair& pair)
   {

@@ -38,11 +38,7 @@ public:
     CurvePatchCell whole;
     whole.Curve = curve;
     whole.Patch = patch;
-    if (CurvePatchHulls(whole).AreApart(tolerance) || CurveWithinPatch(pair).Find(this->Hits))
-    {
-      return this->Hits;
-    }
-    return this->SearchBelow(whole, pair,
+    return this->Search<CurvePatchHulls, CurveWithinPatch>(whole, pair,
       [&](const CurvePatchCell& cell, bool mayHalve) { this->Examine(cell, pair, mayHalve); });
   }
 

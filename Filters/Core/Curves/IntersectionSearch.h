@@ -32,11 +32,16 @@ protected:
     this->Resolved = 0;
   }
 
-  /// All that a pair has in common below a cell. Calls examine(cell, whether it may be halved) for
-  /// the cell and what is put on the stack then.
-  template <class Pair, class Examine>
-  const std::vector<Hit>& SearchBelow(const Cell& whole, const Pair& pair, Examine examine)
+  /// All that a pair has in common: nothing if the hulls of the whole are apart; intervals if the
+  /// curve is within the other; else what is found below the whole. Calls examine(cell, whether it
+  /// may be halved) for it and for what is put on the stack then.
+  template <class Hulls, class Within, class Pair, class Examine>
+  const std::vector<Hit>& Search(const Cell& whole, const Pair& pair, Examine examine)
   {
+    if (Hulls(whole).AreApart(pair.Tolerance) || Within(pair).Find(this->Hits))
+    {
+      return this->Hits;
+    }
     this->Stack.push_back(whole);
     for (int budget = CellBudget; !this->Stack.empty(); --budget)
     {
@@ -51,7 +56,7 @@ protected:
 
   /// Puts together the contacts that follow each other along the curve, and lets the pair resolve
   /// each of them: from its middle, over the whole range. Long ones, of what the budget has left,
-  /// may hold several places: they are resolved bit by bit.
+  /// may hold several points: they are resolved bit by bit.
   template <class Pair>
   void ResolveContacts(const Pair& pair)
   {
@@ -71,7 +76,7 @@ protected:
     }
   }
 
-  /// Makes one of those that are one place: a root on the border of cells was found from each of
+  /// Makes one of those that are one point: a root on the border of cells was found from each of
   /// them, and one that is not simple may have been found as several. What these are together, the
   /// pair decides.
   template <class Pair>
