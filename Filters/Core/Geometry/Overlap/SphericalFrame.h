@@ -18,10 +18,12 @@ namespace skd
 namespace detail
 {
 
-/// angle / sin(angle) - 1, given sine and cosine: to rounding, also of small angles.
+/// angle / sin(angle) - 1, given sine and cosine: to rounding, also of small angles. These by
+/// Taylor's series of arcsin(s) / s - 1 in s^2.
 inline double ArcExcess(double sine2, double cosine)
 {
-  if (sine2 < 1e-3 && cosine > 0.0)
+  constexpr double small = 1e-3; // the series' next term, 231/13312 s^12, is below a rounding
+  if (sine2 < small && cosine > 0.0)
   {
     return sine2 *
       (1.0 / 6.0 +
@@ -32,11 +34,13 @@ inline double ArcExcess(double sine2, double cosine)
   return std::atan2(sine, cosine) / sine - 1.0;
 }
 
-/// 2 atan2(y, x), x mostly positive.
+/// 2 atan2(y, x), x mostly positive: of small angles by Taylor's series of the arctangent, which
+/// costs a fraction of a call.
 inline double TwiceAngle(double y, double x)
 {
+  constexpr double small = 0.02; // the series' next term, t^13/13, is below a rounding
   const double t = y / x;
-  if (x > 0.0 && std::abs(t) < 0.02)
+  if (x > 0.0 && std::abs(t) < small)
   {
     const double t2 = t * t;
     return 2.0 * t *
@@ -51,8 +55,13 @@ inline double TwiceAngle(double y, double x)
 /// x - (the touching point), in the axes of the frame. With n the touching point and a, b the ends
 /// of an edge, both in turn,
 ///   area = sum of the signed triangles n a b (Van Oosterom, Strackee, IEEE TBME 1983),
-///   integral of x = sum of angle(a, b) / 2 times the unit normal of a, b,
-/// where what cancels in the sum is left out: small polygons lose no digits.
+///     tan(triangle / 2) = det(n, a, b) / (|a||b| + |a| + |b| + a . b),
+///   integral of x = sum of angle(a, b) / 2 times the unit normal of a, b (Stokes' theorem),
+///     which is (1/2 + share) a x b with
+///     1/2 + share = angle / (2 sin(angle) |a||b|), since |a x b| = sin(angle) |a||b|.
+/// With a and b as they are on the plane, (a, 1) and (b, 1), a x b is (-edge[1], edge[0], cross).
+/// Around the polygon the edges sum to 0, so 1/2 is left out of the first two components, and
+/// share is of the order of the polygon's size squared: small polygons lose no digits.
 inline Moments SphericalMoments(const ConvexPolygon& polygon)
 {
   std::array<double, ConvexPolygon::Most> norm2;

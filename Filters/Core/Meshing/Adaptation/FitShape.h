@@ -30,9 +30,19 @@ std::size_t Farthest(const std::vector<Vector3>& points, const Measure& measure)
   return best;
 }
 
-/// Solves four equations in four unknowns; false of a matrix that has no inverse to speak of.
+/// Whether a measure of points is nowhere more than a limit.
+template <class Measure>
+bool IsWithin(const std::vector<Vector3>& points, const Measure& measure, double limit)
+{
+  return measure(points[Farthest(points, measure)]) <= limit;
+}
+
+/// Solves four equations in four unknowns by Gauss's and Jordan's elimination with row pivots; a
+/// row is the four coefficients and the right side, of order 1. False of a matrix that has no
+/// inverse but for rounding.
 inline bool SolveFour(std::array<std::array<double, 5>, 4>& rows, std::array<double, 4>& x)
 {
+  constexpr double rounding = 1e-13; // what is left of a pivot that is 0, some hundred roundings
   for (int column = 0; column < 4; ++column)
   {
     int pivot = column;
@@ -41,7 +51,7 @@ inline bool SolveFour(std::array<std::array<double, 5>, 4>& rows, std::array<dou
       pivot = std::abs(rows[row][column]) > std::abs(rows[pivot][column]) ? row : pivot;
     }
     std::swap(rows[column], rows[pivot]);
-    if (!(std::abs(rows[column][column]) > 1e-13))
+    if (!(std::abs(rows[column][column]) > rounding))
     {
       return false;
     }
@@ -65,6 +75,9 @@ inline bool SolveFour(std::array<std::array<double, 5>, 4>& rows, std::array<dou
 
 /// The plane that all points are on, to `tolerance` of how far they are apart; false if there is
 /// none, or more than one. A plane across an axis is found exactly.
+///
+/// It is that of a wide triangle: any point a; b, the farthest from it, so that no two points are
+/// more than 2 |b - a| apart; and c, the farthest from the line through both.
 inline bool FitPlane(const std::vector<Vector3>& points, double tolerance, SurfaceShape& shape)
 {
   if (points.size() < 3)
@@ -91,7 +104,7 @@ inline bool FitPlane(const std::vector<Vector3>& points, double tolerance, Surfa
     }
   }
   const auto off = [&](const Vector3& x) { return std::abs(Dot(normal, x - a)); };
-  if (!(off(points[detail::Farthest(points, off)]) <= tolerance * diameter))
+  if (!detail::IsWithin(points, off, tolerance * diameter))
   {
     return false;
   }
@@ -103,6 +116,11 @@ inline bool FitPlane(const std::vector<Vector3>& points, double tolerance, Surfa
 
 /// The sphere that all points are on, to `tolerance` of its radius, by least squares; false if
 /// there is none. One about the origin is found exactly about the origin.
+///
+/// |y - c|^2 = r^2 is 2 c . y + (r^2 - c^2) = y^2, which is linear in c and in d = r^2 - c^2
+/// (I. Kasa, IEEE Trans. Instrum. Meas. 25 (1976) 8-14): the normal equations of the rows
+/// (2 y, 1 | y^2) are four, and r^2 = d + c^2. With y about the mean of the points and in units of
+/// the farthest one's distance all coefficients are of order 1.
 inline bool FitSphere(const std::vector<Vector3>& points, double tolerance, SurfaceShape& shape)
 {
   if (points.size() < 4)
@@ -117,7 +135,7 @@ inline bool FitSphere(const std::vector<Vector3>& points, double tolerance, Surf
   const auto away = [&](const Vector3& x) { return Norm(x - mean); };
   const double scale = away(points[detail::Farthest(points, away)]);
   std::array<std::array<double, 5>, 4> rows{};
-  for (const Vector3& x : points) // 2 c . y + (r^2 - c^2) = y^2, y about the mean
+  for (const Vector3& x : points)
   {
     const Vector3 y = (1.0 / scale) * (x - mean);
     const double row[5] = { 2.0 * y[0], 2.0 * y[1], 2.0 * y[2], 1.0, Norm2(y) };
@@ -142,7 +160,7 @@ inline bool FitSphere(const std::vector<Vector3>& points, double tolerance, Surf
     centre = { { 0.0, 0.0, 0.0 } };
   }
   const auto off = [&](const Vector3& p) { return std::abs(Norm(p - centre) - radius); };
-  if (!(off(points[detail::Farthest(points, off)]) <= tolerance * radius))
+  if (!detail::IsWithin(points, off, tolerance * radius))
   {
     return false;
   }
