@@ -10,7 +10,8 @@
 
 namespace skdtree
 {
-/// The edges of triangles, each with all triangles that have it, sorted in parallel.
+/// The table of Core/Geometry, sorted in parallel: what the core, which knows no VTK, leaves to its
+/// caller.
 template <class Triangle>
 auto SkdMakeEdgeTable(const std::vector<Triangle>& triangles, std::size_t numberOfPoints)
 {

@@ -40,7 +40,7 @@ struct EdgeUse
 
 /// Built in O(n) by counting the edges at their lower ends: 12 bytes an edge and triangle for ids
 /// of four bytes. Edges of a triangle that has a point twice are edges as well, also from a point
-/// to itself.
+/// to itself. The only table of edges: Bodies/SkdEdgeTable.h makes it by VTK's threads.
 template <class Index = std::uint32_t>
 class EdgeTable
 {

@@ -3,6 +3,7 @@
 #include "Meshing/Refine/SkdGridInside.h"
 
 #include "Core/Geometry/DisjointSets.h"
+#include "Core/Geometry/Rows.h"
 #include "Core/Meshing/Grid/Balance.h"
 #include "Meshing/Refine/SkdEnclosure.h"
 #include "Pipeline/SkdLoop.h"
@@ -13,43 +14,47 @@ namespace
 {
 using Unions = skd::DisjointSets<std::size_t>;
 
-/// All cells in a row, level after level.
-class Row
+/// All cells, numbered level after level.
+class CellNumbers
 {
 public:
-  explicit Row(const SkdGrid& grid)
+  explicit CellNumbers(const SkdGrid& grid)
     : Grid(grid)
   {
+    std::vector<SkdGridCell> cells;
     for (int level = 0; level < grid.Forest.NumberOfLevels(); ++level)
     {
-      this->Starts.push_back(this->Cells.size());
+      cells.clear();
       for (std::uint32_t cell = 0; cell < grid.Forest.NumberOfCells(level); ++cell)
       {
-        this->Cells.push_back({ level, cell });
+        cells.push_back({ level, cell });
       }
+      this->OfLevels.Add(cells.begin(), cells.end());
     }
   }
 
-  std::size_t IndexOf(int level, std::uint32_t cell) const { return this->Starts[level] + cell; }
+  const std::vector<SkdGridCell>& GetCells() const { return this->OfLevels.GetItems(); }
+  std::size_t IndexOf(int level, std::uint32_t cell) const
+  {
+    return this->OfLevels.GetOffsets()[level] + cell;
+  }
   bool IsFree(int level, std::uint32_t cell) const
   {
     return this->Grid.Forest.IsLeaf(level, cell) && !this->Grid.Levels[level].Cut[cell];
   }
 
-  std::vector<SkdGridCell> Cells;
-
 private:
   const SkdGrid& Grid;
-  std::vector<std::size_t> Starts;
+  skd::Rows<SkdGridCell> OfLevels;
 };
 
 /// Joins the free leaves that share a face. Of two levels the finer one looks.
-Unions JoinFreeLeaves(const SkdGrid& grid, const Row& row)
+Unions JoinFreeLeaves(const SkdGrid& grid, const CellNumbers& numbers)
 {
-  Unions unions(row.Cells.size());
-  for (const SkdGridCell& at : row.Cells)
+  Unions unions(numbers.GetCells().size());
+  for (const SkdGridCell& at : numbers.GetCells())
   {
-    if (!row.IsFree(at.Level, at.Index))
+    if (!numbers.IsFree(at.Level, at.Index))
     {
       continue;
     }
@@ -57,9 +62,10 @@ Unions JoinFreeLeaves(const SkdGrid& grid, const Row& row)
       [&](const skd::LatticePoint& position)
       {
         const skd::Forest::Node there = grid.Forest.Find(at.Level, position);
-        if (there.Level >= 0 && row.IsFree(there.Level, there.Index))
+        if (there.Level >= 0 && numbers.IsFree(there.Level, there.Index))
         {
-          unions.Unite(row.IndexOf(at.Level, at.Index), row.IndexOf(there.Level, there.Index));
+          unions.Unite(
+            numbers.IndexOf(at.Level, at.Index), numbers.IndexOf(there.Level, there.Index));
         }
       });
   }
@@ -87,18 +93,19 @@ void SetRefined(const SkdGrid& grid, std::vector<std::vector<unsigned char>>& in
 std::vector<std::vector<unsigned char>> SkdFindInside(const SkdGrid& grid,
   const SkdEnclosure& enclosure, vtkAlgorithm* algorithm, double first, double last)
 {
-  const Row row(grid);
-  Unions unions = enclosure.IsClosed() ? JoinFreeLeaves(grid, row) : Unions(row.Cells.size());
+  const CellNumbers numbers(grid);
+  const std::vector<SkdGridCell>& cells = numbers.GetCells();
+  Unions unions = enclosure.IsClosed() ? JoinFreeLeaves(grid, numbers) : Unions(cells.size());
   const std::vector<std::size_t> representatives = unions.Representatives();
 
-  std::vector<unsigned char> answers(row.Cells.size(), 0);
+  std::vector<unsigned char> answers(cells.size(), 0);
   SkdLoop loop(algorithm, static_cast<vtkIdType>(answers.size()), first, last);
   loop.For(static_cast<vtkIdType>(answers.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        const SkdGridCell& at = row.Cells[i];
+        const SkdGridCell& at = cells[i];
         if (representatives[i] == i && grid.Forest.IsLeaf(at.Level, at.Index))
         {
           answers[i] = enclosure.IsInside(grid.BoxOf(at.Level, at.Index).Centroid());
@@ -112,7 +119,7 @@ std::vector<std::vector<unsigned char>> SkdFindInside(const SkdGrid& grid,
     inside.emplace_back(grid.Forest.NumberOfCells(level));
     for (std::uint32_t cell = 0; cell < inside.back().size(); ++cell)
     {
-      inside.back()[cell] = answers[representatives[row.IndexOf(level, cell)]];
+      inside.back()[cell] = answers[representatives[numbers.IndexOf(level, cell)]];
     }
   }
   SetRefined(grid, inside);

@@ -3,6 +3,7 @@
 #ifndef skd_Adaptation_Aggregation_h
 #define skd_Adaptation_Aggregation_h
 
+#include "../../Geometry/Rows.h"
 #include "EdgeLaplacian.h"
 
 #include <algorithm>
@@ -31,11 +32,15 @@ public:
   std::size_t GetNumberOfLevels() const { return this->Levels.size(); }
 
 private:
+  struct Neighbour
+  {
+    std::uint32_t Cell;
+    double Weight;
+  };
+
   struct Level
   {
-    std::vector<std::size_t> Offsets;
-    std::vector<std::uint32_t> Neighbours;
-    std::vector<double> Weights;
+    Rows<Neighbour> Neighbours; // of each cell
     std::vector<double> Diagonal;
     std::vector<std::uint32_t> AggregateOf; // in the next level; none of the last
 
@@ -57,31 +62,20 @@ inline Aggregation::Level Aggregation::MakeLevel(const EdgeLaplacian& matrix)
 {
   Level level;
   level.Diagonal.assign(matrix.NumberOfCells, 0.0);
-  level.Offsets.assign(matrix.NumberOfCells + 1, 0);
   for (const EdgeLaplacian::Flow& flow : matrix.Flows)
   {
-    for (const std::uint32_t cell : flow.Cells)
+    level.Diagonal[flow.Cells[0]] += flow.Weight;
+    level.Diagonal[flow.Cells[1]] += flow.Weight;
+  }
+  level.Neighbours = Rows<Neighbour>(matrix.NumberOfCells,
+    [&](const auto& add)
     {
-      ++level.Offsets[cell + 1];
-      level.Diagonal[cell] += flow.Weight;
-    }
-  }
-  for (std::size_t i = 0; i < matrix.NumberOfCells; ++i)
-  {
-    level.Offsets[i + 1] += level.Offsets[i];
-  }
-  level.Neighbours.resize(level.Offsets.back());
-  level.Weights.resize(level.Offsets.back());
-  std::vector<std::size_t> next(level.Offsets.begin(), level.Offsets.end() - 1);
-  for (const EdgeLaplacian::Flow& flow : matrix.Flows)
-  {
-    for (int side = 0; side < 2; ++side)
-    {
-      const std::size_t slot = next[flow.Cells[side]]++;
-      level.Neighbours[slot] = flow.Cells[1 - side];
-      level.Weights[slot] = flow.Weight;
-    }
-  }
+      for (const EdgeLaplacian::Flow& flow : matrix.Flows)
+      {
+        add(flow.Cells[0], Neighbour{ flow.Cells[1], flow.Weight });
+        add(flow.Cells[1], Neighbour{ flow.Cells[0], flow.Weight });
+      }
+    });
   return level;
 }
 
@@ -99,35 +93,33 @@ inline std::size_t Aggregation::Aggregate(Level& level)
     const std::vector<std::uint32_t> before = of;
     for (std::uint32_t cell = 0; cell < level.size(); ++cell)
     {
-      const std::size_t first = level.Offsets[cell];
-      const std::size_t last = level.Offsets[cell + 1];
+      const Rows<Neighbour>::Row neighbours = level.Neighbours[cell];
       if (of[cell] != none)
       {
         continue;
       }
       double largest = 0.0;
       std::uint32_t best = none;
-      for (std::size_t k = first; k < last; ++k)
+      for (const Neighbour& neighbour : neighbours)
       {
-        largest = std::max(largest, level.Weights[k]);
+        largest = std::max(largest, neighbour.Weight);
       }
       bool isAlone = true;
       double most = 0.0;
-      for (std::size_t k = first; k < last; ++k)
+      for (const Neighbour& neighbour : neighbours)
       {
-        const std::uint32_t its = (isFirst ? of : before)[level.Neighbours[k]];
-        isAlone = isAlone && (its == none || level.Weights[k] < strong * largest);
-        best = its != none && level.Weights[k] > most ? its : best;
-        most = its != none ? std::max(most, level.Weights[k]) : most;
+        const std::uint32_t its = (isFirst ? of : before)[neighbour.Cell];
+        isAlone = isAlone && (its == none || neighbour.Weight < strong * largest);
+        best = its != none && neighbour.Weight > most ? its : best;
+        most = its != none ? std::max(most, neighbour.Weight) : most;
       }
       if (isFirst && isAlone)
       {
         of[cell] = count;
-        for (std::size_t k = first; k < last; ++k)
+        for (const Neighbour& neighbour : neighbours)
         {
-          const bool isIn = of[level.Neighbours[k]] != none;
-          of[level.Neighbours[k]] =
-            isIn || level.Weights[k] < strong * largest ? of[level.Neighbours[k]] : count;
+          std::uint32_t& its = of[neighbour.Cell];
+          its = its != none || neighbour.Weight < strong * largest ? its : count;
         }
         ++count;
       }
@@ -173,14 +165,14 @@ inline EdgeLaplacian Aggregation::Coarsen(
 
 inline Aggregation::Aggregation(const EdgeLaplacian& matrix)
 {
-  constexpr std::size_t few = 40;
+  constexpr std::size_t few = 40; // cells, which relaxing alone solves for
   EdgeLaplacian now = matrix;
   this->Levels.push_back(MakeLevel(now));
   while (this->Levels.back().size() > few)
   {
     Level& level = this->Levels.back();
     const std::size_t count = Aggregate(level);
-    if (10 * count > 9 * level.size())
+    if (10 * count > 9 * level.size()) // hardly smaller: further levels would not pay
     {
       break;
     }
@@ -193,9 +185,9 @@ inline void Aggregation::Level::Relax(
   std::size_t i, const std::vector<double>& losses, std::vector<double>& y) const
 {
   double sum = losses[i];
-  for (std::size_t k = this->Offsets[i]; k < this->Offsets[i + 1]; ++k)
+  for (const Neighbour& neighbour : this->Neighbours[i])
   {
-    sum += this->Weights[k] * y[this->Neighbours[k]];
+    sum += neighbour.Weight * y[neighbour.Cell];
   }
   y[i] = this->Diagonal[i] > 0.0 ? sum / this->Diagonal[i] : 0.0;
 }
@@ -207,9 +199,9 @@ inline void Aggregation::Level::Apply(
   for (std::size_t i = 0; i < losses.size(); ++i)
   {
     double sum = this->Diagonal[i] * y[i];
-    for (std::size_t k = this->Offsets[i]; k < this->Offsets[i + 1]; ++k)
+    for (const Neighbour& neighbour : this->Neighbours[i])
     {
-      sum -= this->Weights[k] * y[this->Neighbours[k]];
+      sum -= neighbour.Weight * y[neighbour.Cell];
     }
     losses[i] = sum;
   }
@@ -220,8 +212,9 @@ inline void Aggregation::Cycle(
 {
   const Level& level = this->Levels[at];
   const bool isLast = at + 1 == this->Levels.size();
+  const int sweeps = isLast ? 30 : 1; // of few cells: to convergence, or nearly so
   y.assign(level.size(), 0.0);
-  for (int sweep = 0; sweep < (isLast ? 30 : 1); ++sweep)
+  for (int sweep = 0; sweep < sweeps; ++sweep)
   {
     for (std::size_t i = 0; i < level.size(); ++i)
     {
@@ -254,7 +247,8 @@ inline void Aggregation::Correct(
   std::size_t at, std::vector<double> losses, std::vector<double>& y) const
 {
   std::vector<double> directions[2], images[2];
-  const double enough = 0.0625 * detail::DotOf(losses, losses);
+  constexpr double little = 0.25; // of the norm that is left of the residual: Notay's threshold t
+  const double enough = little * little * detail::DotOf(losses, losses);
   y.assign(losses.size(), 0.0);
   for (int step = 0; step < 2 && detail::DotOf(losses, losses) > enough; ++step)
   {

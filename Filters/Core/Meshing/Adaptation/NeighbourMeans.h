@@ -25,9 +25,10 @@ public:
   /// nearer to some; most often where many are.
   int GetTimes() const
   {
-    return 10 * this->Irregular > this->Offsets.size() ? 8
-      : 100 * this->Irregular > this->Offsets.size()   ? 6
-                                                       : 0;
+    constexpr std::size_t many = 10; // one of so many points is irregular
+    constexpr std::size_t some = 100;
+    const std::size_t size = this->Means.size() + 1;
+    return many * this->Irregular > size ? 8 : some * this->Irregular > size ? 6 : 0;
   }
 
   /// Calls finish(point, sum) for each smoothed vector; it returns what is kept of it.
@@ -42,18 +43,18 @@ private:
     std::uint32_t Point;
   };
 
-  void Add(std::uint32_t point, double weight)
+  struct Share
   {
-    this->Points.push_back(point);
-    this->Weights.push_back(weight);
-  }
-  void AddOnCurve(const SurfaceMesh& mesh, std::uint32_t point, const IndexRows::Row& edges);
-  void AddAround(std::vector<Neighbour>& around);
+    std::uint32_t Point;
+    double Weight;
+  };
+  using Shares = std::vector<Share>;
+
+  static Shares OnCurve(const SurfaceMesh& mesh, std::uint32_t point, const IndexRows::Row& edges);
+  static Shares Around(std::vector<Neighbour>& around);
   static bool IsIrregular(const std::vector<Neighbour>& around);
 
-  std::vector<std::size_t> Offsets;
-  std::vector<std::uint32_t> Points;
-  std::vector<double> Weights;
+  Rows<Share> Means; // of each point; none of those that stay
   std::size_t Irregular = 0;
 };
 
@@ -66,16 +67,15 @@ inline void NeighbourMeans::Build(const SurfaceMesh& mesh, const SurfaceShape& s
   }
   const IndexRows edgesOf = ends.Inverse(mesh.Points.size());
   this->Irregular = 0;
-  this->Points.clear();
-  this->Weights.clear();
-  this->Offsets.assign(1, 0);
+  this->Means = Rows<Share>();
   std::vector<Neighbour> around;
   for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
   {
+    Shares shares;
     const Vector3 normal = NormalAt(mesh, shape, point);
     if (mesh.Freedom[point] == PointFreedom::AlongCurve)
     {
-      this->AddOnCurve(mesh, point, edgesOf[point]);
+      shares = OnCurve(mesh, point, edgesOf[point]);
     }
     else if (mesh.Freedom[point] == PointFreedom::Free && Norm2(normal) > 0.0)
     {
@@ -91,14 +91,14 @@ inline void NeighbourMeans::Build(const SurfaceMesh& mesh, const SurfaceShape& s
         const double y = Dot(v, to);
         around.push_back({ std::atan2(y, x), std::hypot(x, y), other });
       }
-      this->AddAround(around);
+      shares = Around(around);
       this->Irregular += IsIrregular(around);
     }
-    this->Offsets.push_back(this->Points.size());
+    this->Means.Add(shares.begin(), shares.end());
   }
 }
 
-inline void NeighbourMeans::AddOnCurve(
+inline NeighbourMeans::Shares NeighbourMeans::OnCurve(
   const SurfaceMesh& mesh, std::uint32_t point, const IndexRows::Row& edges)
 {
   std::vector<std::uint32_t> others;
@@ -110,13 +110,13 @@ inline void NeighbourMeans::AddOnCurve(
       others.push_back(both[both[0] == point ? 1 : 0]);
     }
   }
-  if (others.size() == 2)
+  if (others.size() != 2)
   {
-    const double a = Norm(mesh.Points[others[0]] - mesh.Points[point]);
-    const double b = Norm(mesh.Points[others[1]] - mesh.Points[point]);
-    this->Add(others[0], b / (a + b));
-    this->Add(others[1], a / (a + b));
+    return {};
   }
+  const double a = Norm(mesh.Points[others[0]] - mesh.Points[point]);
+  const double b = Norm(mesh.Points[others[1]] - mesh.Points[point]);
+  return { { others[0], b / (a + b) }, { others[1], a / (a + b) } };
 }
 
 inline bool NeighbourMeans::IsIrregular(const std::vector<Neighbour>& around)
@@ -136,7 +136,9 @@ inline bool NeighbourMeans::IsIrregular(const std::vector<Neighbour>& around)
   return std::hypot(x, y) > amid * sum || least < nearer * most;
 }
 
-inline void NeighbourMeans::AddAround(std::vector<Neighbour>& around)
+// With angles a, b beside the direction to a neighbour its weight is (tan(a/2) + tan(b/2)) over its
+// distance (Floater's), divided by the sum of all.
+inline NeighbourMeans::Shares NeighbourMeans::Around(std::vector<Neighbour>& around)
 {
   constexpr double pi = 3.14159265358979323846;
   constexpr double widest = 0.99 * pi; // the weights grow beyond all bounds towards pi
@@ -151,7 +153,7 @@ inline void NeighbourMeans::AddAround(std::vector<Neighbour>& around)
     tangents[i] = std::tan(0.5 * angle);
     if (!(angle < widest) || !(around[i].Distance > 0.0))
     {
-      return;
+      return {};
     }
   }
   double sum = 0.0;
@@ -159,11 +161,13 @@ inline void NeighbourMeans::AddAround(std::vector<Neighbour>& around)
   {
     sum += (tangents[i] + tangents[(i + n - 1) % n]) / around[i].Distance;
   }
+  Shares shares;
   for (std::size_t i = 0; i < n && sum > 0.0; ++i)
   {
-    this->Add(
-      around[i].Point, (tangents[i] + tangents[(i + n - 1) % n]) / around[i].Distance / sum);
+    shares.push_back(
+      { around[i].Point, (tangents[i] + tangents[(i + n - 1) % n]) / around[i].Distance / sum });
   }
+  return shares;
 }
 
 template <class Finish>
@@ -175,12 +179,12 @@ void NeighbourMeans::Smooth(std::vector<Vector3>& vectors, int times, const Fini
     for (std::uint32_t point = 0; point < vectors.size(); ++point)
     {
       Vector3 sum = vectors[point];
-      for (std::size_t i = this->Offsets[point]; i < this->Offsets[point + 1]; ++i)
+      const Rows<Share>::Row shares = this->Means[point];
+      for (const Share& share : shares)
       {
-        sum = sum + this->Weights[i] * vectors[this->Points[i]];
+        sum = sum + share.Weight * vectors[share.Point];
       }
-      const bool isAlone = this->Offsets[point] == this->Offsets[point + 1];
-      next[point] = isAlone ? sum : finish(point, 0.5 * sum);
+      next[point] = shares.size() == 0 ? sum : finish(point, 0.5 * sum);
     }
     vectors.swap(next);
   }
