@@ -2,24 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdWeightsFile.h"
 
-#include "Cells/Read/SkdCellReader.h"
-#include "Pipeline/SkdLonLat.h"
 #include "Remap/SkdNetCdf.h"
+#include "Remap/SkdWeightsGrid.h"
+#include "Remap/SkdWeightsMatrix.h"
 #include "vtkDataSet.h"
-#include "vtkIdList.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <type_traits>
 
@@ -27,240 +21,14 @@ namespace skdtree
 {
 namespace
 {
-using skd::Vector3;
 using Numbers = std::vector<double>;
-
-/// The corners of a polygon, anticlockwise seen from outside the sphere; none of other cells.
-void GetCorners(vtkDataSet* mesh, vtkIdType cell, int type, std::vector<Vector3>& corners)
-{
-  corners.clear();
-  if (type != VTK_TRIANGLE && type != VTK_QUAD && type != VTK_POLYGON && type != VTK_PIXEL)
-  {
-    return;
-  }
-  vtkNew<vtkIdList> ids;
-  mesh->GetCellPoints(cell, ids);
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-  {
-    corners.emplace_back();
-    mesh->GetPoint(ids->GetId(i), corners.back().X);
-  }
-  if (type == VTK_PIXEL)
-  {
-    std::swap(corners[2], corners[3]);
-  }
-  Vector3 middle{ { 0.0, 0.0, 0.0 } };
-  Vector3 normal{ { 0.0, 0.0, 0.0 } };
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    middle = middle + corners[i];
-    normal = normal + Cross(corners[i], corners[(i + 1) % corners.size()]);
-  }
-  if (Dot(middle, normal) < 0.0)
-  {
-    std::reverse(corners.begin(), corners.end());
-  }
-}
-
-/// One of the two grids of a file.
-struct Grid
-{
-  Numbers Centres[3];
-  Numbers Corners[2]; ///< so many a cell
-  std::size_t CornersPerCell = 0;
-  Numbers Areas;
-  Numbers Fractions;
-  std::vector<int> Mask;
-  std::vector<int> Sizes; ///< along each dimension, the first varies fastest
-
-  std::size_t Size() const { return this->Areas.size(); }
-
-  void Resize(std::size_t cells)
-  {
-    for (Numbers* numbers :
-      { &this->Centres[0], &this->Centres[1], &this->Centres[2], &this->Areas, &this->Fractions })
-    {
-      numbers->resize(cells);
-    }
-    this->Mask.resize(cells);
-    for (Numbers& corners : this->Corners)
-    {
-      corners.resize(cells * this->CornersPerCell);
-    }
-  }
-
-  /// A cell as numbers, and again: calls transfer(number) for each of them.
-  template <class Transfer>
-  void TransferCell(std::size_t cell, const Transfer& transfer)
-  {
-    for (Numbers& centres : this->Centres)
-    {
-      transfer(centres[cell]);
-    }
-    transfer(this->Areas[cell]);
-    transfer(this->Fractions[cell]);
-    transfer(this->Mask[cell]);
-    for (Numbers& corners : this->Corners)
-    {
-      for (std::size_t i = 0; i < this->CornersPerCell; ++i)
-      {
-        transfer(corners[cell * this->CornersPerCell + i]);
-      }
-    }
-  }
-
-  /// Adds the cells of a mesh. Areas and centres are divided by powers of the radius.
-  void Add(const SkdOverlapCells& cells, bool isOnSphere, double radius)
-  {
-    const double scale = isOnSphere ? 1.0 / (radius * radius) : 1.0;
-    for (std::size_t i = 0; i < cells.Measures.size(); ++i)
-    {
-      const double whole = cells.Measures[i];
-      const Vector3& centre = cells.Centroids[i];
-      const Vector3 position = isOnSphere ? SkdLonLatOf(centre) : centre;
-      for (int k = 0; k < 3; ++k)
-      {
-        this->Centres[k].push_back(position[k]);
-      }
-      this->Areas.push_back(scale * whole);
-      this->Fractions.push_back(whole > 0.0 ? cells.Covered[i] / whole : 0.0);
-      this->Mask.push_back(whole > 0.0 ? 1 : 0);
-    }
-  }
-
-  /// Of a mesh without dimensions all its cells are along one.
-  void SetSizes(const std::vector<int>& sizes)
-  {
-    this->Sizes = sizes.empty() ? std::vector<int>{ static_cast<int>(this->Size()) } : sizes;
-  }
-
-  /// Of cells with fewer corners than others the last repeats, of those with none the centre.
-  void AddCorners(vtkDataSet* mesh)
-  {
-    const SkdCellReader reader(mesh);
-    std::vector<Vector3> corners;
-    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-    {
-      const std::size_t at = this->Corners[0].size() / this->CornersPerCell;
-      GetCorners(mesh, cell, reader.TypeOf(cell), corners);
-      for (std::size_t i = 0; i < this->CornersPerCell; ++i)
-      {
-        const Vector3 x = corners.empty()
-          ? Vector3{ { this->Centres[0][at], this->Centres[1][at], 0.0 } }
-          : SkdLonLatOf(corners[std::min(i, corners.size() - 1)]);
-        this->Corners[0].push_back(x[0]);
-        this->Corners[1].push_back(x[1]);
-      }
-    }
-  }
-};
-
-int CornersPerCellOf(vtkDataSet* mesh)
-{
-  return std::max(mesh->GetMaxCellSize(), 1);
-}
-
-/// The matrix: an entry a row of the table.
-struct Links
-{
-  std::vector<int> Rows;
-  std::vector<int> Columns;
-  Numbers Weights; ///< so many an entry
-  std::size_t WeightsPerLink = 1;
-  Numbers Measures; ///< of the overlaps, where they are wanted
-  bool WithMeasures = false;
-
-  std::size_t Size() const { return this->Rows.size(); }
-
-  /// An entry with its measure as numbers, and again: see Grid.
-  template <class Transfer>
-  void TransferLink(std::size_t link, const Transfer& transfer)
-  {
-    transfer(this->Rows[link]);
-    transfer(this->Columns[link]);
-    transfer(this->Measures[link]);
-    for (std::size_t i = 0; i < this->WeightsPerLink; ++i)
-    {
-      transfer(this->Weights[link * this->WeightsPerLink + i]);
-    }
-  }
-
-  void Resize(std::size_t links)
-  {
-    this->Rows.resize(links);
-    this->Columns.resize(links);
-    this->Measures.resize(links);
-    this->Weights.resize(links * this->WeightsPerLink);
-  }
-
-  /// By rows, in each by columns.
-  void Sort()
-  {
-    std::vector<std::size_t> order(this->Size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(),
-      [this](std::size_t a, std::size_t b) {
-        return std::tie(this->Rows[a], this->Columns[a]) <
-          std::tie(this->Rows[b], this->Columns[b]);
-      });
-    Links sorted;
-    sorted.WeightsPerLink = this->WeightsPerLink;
-    sorted.Resize(this->Size());
-    Numbers link;
-    for (std::size_t i = 0; i < order.size(); ++i)
-    {
-      link.clear();
-      this->TransferLink(order[i], [&link](const auto& number) { link.push_back(number); });
-      std::size_t at = 0;
-      sorted.TransferLink(
-        i, [&](auto& number) { number = static_cast<std::decay_t<decltype(number)>>(link[at++]); });
-    }
-    *this = std::move(sorted);
-  }
-
-  /// The integral of (x - centroid) along the parallel and along the meridian, of the unit sphere.
-  static std::array<double, 2> AlongAxes(const Vector3& moment, const Vector3& centroid)
-  {
-    const SkdLonLatAxes axes = SkdLonLatAxesAt(centroid);
-    return { Dot(moment, axes.East), Dot(moment, axes.North) };
-  }
-
-  void Add(const SkdOverlapWeights& weights, SkdNormalization normalization, std::size_t firstRow)
-  {
-    const SkdOverlapTable& table = weights.GetTable();
-    const SkdOverlapCells& target = weights.GetTarget();
-    for (std::size_t row = 0; row + 1 < table.Rows.size(); ++row)
-    {
-      const double by =
-        normalization == SkdNormalization::Whole ? target.Measures[row] : target.Covered[row];
-      for (std::size_t k = table.Rows[row]; k < table.Rows[row + 1]; ++k)
-      {
-        const auto column = static_cast<std::size_t>(table.Columns[k]);
-        this->Rows.push_back(static_cast<int>(firstRow + row + 1));
-        this->Columns.push_back(static_cast<int>(column + 1));
-        this->Weights.push_back(table.Measures[k] / by);
-        if (this->WithMeasures)
-        {
-          this->Measures.push_back(table.Measures[k]);
-        }
-        if (this->WeightsPerLink == 3)
-        {
-          const auto [east, north] =
-            AlongAxes(table.Moments[k], weights.GetDonor().Centroids[column]);
-          this->Weights.push_back(north / (weights.GetRadius() * by));
-          this->Weights.push_back(east / (weights.GetRadius() * by));
-        }
-      }
-    }
-  }
-};
 
 /// What is written, whatever the names.
 struct Weights
 {
-  Grid Source;
-  Grid Target;
-  Links Matrix;
+  SkdWeightsGrid Source;
+  SkdWeightsGrid Target;
+  SkdWeightsMatrix Matrix;
   double SourceUnit = 1.0; ///< areas of the source are measures times this
 };
 
@@ -270,7 +38,7 @@ Weights Gather(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
 {
   const bool isOnSphere = settings.Space == SkdOverlapSpace::Sphere;
   Weights all;
-  all.Matrix.WeightsPerLink = settings.WithGradients ? 3 : 1;
+  all.Matrix.WeightsPerEntry = settings.WithGradients ? 3 : 1;
   all.Matrix.WithMeasures = withMeasures;
   all.Target.CornersPerCell = isOnSphere ? static_cast<std::size_t>(corners) : 0;
   if (blocks.empty())
@@ -279,7 +47,7 @@ Weights Gather(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
   }
   SkdOverlapCells source = blocks.front().Weights->GetDonor();
   std::fill(source.Covered.begin(), source.Covered.end(), 0.0);
-  all.Source.CornersPerCell = isOnSphere ? static_cast<std::size_t>(CornersPerCellOf(donor)) : 0;
+  all.Source.CornersPerCell = isOnSphere ? static_cast<std::size_t>(SkdCornersPerCell(donor)) : 0;
   for (const SkdWeightsBlock& block : blocks)
   {
     all.Matrix.Add(*block.Weights, settings.Normalization, all.Target.Size());
@@ -319,13 +87,13 @@ Numbers PackRows(Weights& own, const std::vector<vtkIdType>& rows)
       own.Target.TransferCell(cell, add);
     }
   }
-  for (std::size_t link = 0; link < own.Matrix.Size(); ++link)
+  for (std::size_t entry = 0; entry < own.Matrix.Size(); ++entry)
   {
-    const vtkIdType row = rowOf(static_cast<std::size_t>(own.Matrix.Rows[link]) - 1);
+    const vtkIdType row = rowOf(static_cast<std::size_t>(own.Matrix.Rows[entry]) - 1);
     if (row >= 0)
     {
-      own.Matrix.Rows[link] = static_cast<int>(row + 1);
-      own.Matrix.TransferLink(link, add);
+      own.Matrix.Rows[entry] = static_cast<int>(row + 1);
+      own.Matrix.TransferEntry(entry, add);
     }
   }
   return packed;
@@ -345,12 +113,11 @@ std::size_t UnpackRows(const Numbers& packed, Weights& all)
     take(cell);
     all.Target.TransferCell(cell, take);
   }
-  std::size_t link = all.Matrix.Size();
-  const std::size_t size = all.Matrix.WeightsPerLink + 3;
-  all.Matrix.Resize(link + (packed.size() - at) / size);
+  std::size_t entry = all.Matrix.Size();
+  all.Matrix.Resize(entry + (packed.size() - at) / all.Matrix.NumbersPerEntry());
   while (at < packed.size())
   {
-    all.Matrix.TransferLink(link++, take);
+    all.Matrix.TransferEntry(entry++, take);
   }
   return cells;
 }
@@ -377,9 +144,9 @@ std::string GatherShares(const SkdWeightsShare& share, Weights& all)
   all.Matrix.Sort();
   const double unit = all.SourceUnit;
   Numbers covered(all.Source.Size(), 0.0);
-  for (std::size_t link = 0; link < all.Matrix.Size(); ++link)
+  for (std::size_t entry = 0; entry < all.Matrix.Size(); ++entry)
   {
-    covered[static_cast<std::size_t>(all.Matrix.Columns[link]) - 1] += all.Matrix.Measures[link];
+    covered[static_cast<std::size_t>(all.Matrix.Columns[entry]) - 1] += all.Matrix.Measures[entry];
   }
   for (std::size_t i = 0; i < covered.size(); ++i)
   {
@@ -391,7 +158,7 @@ std::string GatherShares(const SkdWeightsShare& share, Weights& all)
 
 //------------------------------------------------------------------------------
 void AddEsmfGrid(
-  Grid& grid, bool isOnSphere, const std::string& suffix, SkdNetCdfContents& contents)
+  SkdWeightsGrid& grid, bool isOnSphere, const std::string& suffix, SkdNetCdfContents& contents)
 {
   const std::string cells = "n" + suffix;
   const std::string corners = "nv" + suffix;
@@ -435,7 +202,7 @@ void AddEsmf(Weights& all, bool isOnSphere, SkdNetCdfContents& contents)
 }
 
 //------------------------------------------------------------------------------
-void AddScripGrid(Grid& grid, const std::string& prefix, SkdNetCdfContents& contents)
+void AddScripGrid(SkdWeightsGrid& grid, const std::string& prefix, SkdNetCdfContents& contents)
 {
   const std::string cells = prefix + "_grid_size";
   const std::string corners = prefix + "_grid_corners";
@@ -464,13 +231,13 @@ void AddScrip(Weights& all, SkdNetCdfContents& contents)
   AddScripGrid(all.Source, "src", contents);
   AddScripGrid(all.Target, "dst", contents);
   contents.Dimensions.emplace_back("num_links", all.Matrix.Rows.size());
-  contents.Dimensions.emplace_back("num_wgts", all.Matrix.WeightsPerLink);
+  contents.Dimensions.emplace_back("num_wgts", all.Matrix.WeightsPerEntry);
   contents.Variables.push_back(
     { "src_address", { "num_links" }, "", std::move(all.Matrix.Columns) });
   contents.Variables.push_back({ "dst_address", { "num_links" }, "", std::move(all.Matrix.Rows) });
   contents.Variables.push_back(
     { "remap_matrix", { "num_links", "num_wgts" }, "", std::move(all.Matrix.Weights) });
-  contents.Integers.emplace_back("remap_order", all.Matrix.WeightsPerLink > 1 ? 2 : 1);
+  contents.Integers.emplace_back("remap_order", all.Matrix.WeightsPerEntry > 1 ? 2 : 1);
   contents.Attributes.emplace_back("conventions", "SCRIP");
   contents.Attributes.emplace_back("source_grid", "Source");
   contents.Attributes.emplace_back("dest_grid", "Input");
@@ -556,7 +323,7 @@ int SkdCornersPerCell(const std::vector<SkdBlock>& blocks)
   int corners = 1;
   for (const SkdBlock& block : blocks)
   {
-    corners = std::max(corners, CornersPerCellOf(block.Mesh));
+    corners = std::max(corners, SkdCornersPerCell(block.Mesh));
   }
   return corners;
 }
