@@ -4,6 +4,7 @@
 
 #include "Cells/Search/SkdLocatorState.h"
 #include "Cells/Search/SkdVisitCandidates.h"
+#include "Core/Geometry/Simplices/SimplexDistance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -19,15 +19,9 @@ SkdContainedMean::SkdContainedMean(
 void SkdContainedMean::FindContained(
   const SkdTargetCells::Cell& cell, std::vector<std::uint32_t>& points) const
 {
-  points.clear();
-  this->Tree.ForEachWithin(cell.GetBox(),
-    [&](std::uint32_t i)
-    {
-      if (cell.Contains(this->Tree.GetPoint(i)))
-      {
-        points.push_back(i);
-      }
-    });
+  this->Tree.FindWithin(cell.GetBox(), points);
+  const auto isBeyond = [&](std::uint32_t i) { return !cell.Contains(this->Tree.GetPoint(i)); };
+  points.erase(std::remove_if(points.begin(), points.end(), isBeyond), points.end());
   std::sort(points.begin(), points.end());
 }
 

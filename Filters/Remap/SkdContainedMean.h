@@ -78,20 +78,16 @@ void SkdContainedMean::FindSubstitutes(const SkdTargetCells::Cell& cell, SkdEmpt
   }
   const skd::Box3 bounds = this->Tree.GetBounds();
   skd::Box3 box = cell.GetBox();
+  const auto isLeftOut = [&](std::uint32_t i)
+  { return !isWanted(i) || !box.Contains(this->Tree.CoordinatesOf(this->Tree.GetPoint(i))); };
   bool isAll = empty != SkdEmptyCells::EnclosingBox || !(box.Diagonal() > 0.0);
   while (points.empty() && !isAll)
   {
     const double growth = 0.5 * box.Diagonal();
     box = box.Inflated(growth);
     isAll = box.Contains(bounds) || !(growth < std::numeric_limits<double>::max());
-    this->Tree.ForEachWithin(box,
-      [&](std::uint32_t i)
-      {
-        if (isWanted(i) && box.Contains(this->Tree.CoordinatesOf(this->Tree.GetPoint(i))))
-        {
-          points.push_back(i);
-        }
-      });
+    this->Tree.FindWithin(box, points);
+    points.erase(std::remove_if(points.begin(), points.end(), isLeftOut), points.end());
   }
   std::sort(points.begin(), points.end());
 }

@@ -12,6 +12,7 @@
 #include "Cells/Kernels/SkdCellWeights.h"
 #include "Cells/Search/SkdCellTree.h"
 #include "Core/Geometry/Overlap/LonLatCell.h"
+#include "Core/Geometry/Simplices/SimplexSet.h"
 #include "Remap/SkdOverlapBlock.h"
 #include "Remap/SkdOverlapSurface.h"
 

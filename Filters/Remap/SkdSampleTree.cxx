@@ -5,6 +5,7 @@
 #include "Cells/Read/SkdForEach.h"
 #include "Cells/Read/SkdMagnitudes.h"
 #include "Cells/Search/SkdBuildTree.h"
+#include "Core/Search/Queries/WithinBox.h"
 
 #include <utility>
 
@@ -44,5 +45,17 @@ SkdSampleTree::SkdSampleTree(std::vector<skd::Vector3> points, bool isOnSphere)
   , OnSphere(isOnSphere)
   , Tree(SkdBuildTree(InputOf(this->Points, *this)))
 {
+}
+
+void SkdSampleTree::FindWithin(const skd::Box3& box, std::vector<std::uint32_t>& points) const
+{
+  points.clear();
+  auto visitor = [&points](std::uint32_t i)
+  {
+    points.push_back(i);
+    return true;
+  };
+  skd::WithinBox<3, decltype(visitor)> query(this->Tree.GetFrame(), box, visitor);
+  skd::Walk(this->Tree, query);
 }
 }

@@ -9,7 +9,6 @@
 #define SkdSampleTree_h
 
 #include "Core/Search/Queries/Nearest.h"
-#include "Core/Search/Queries/WithinBox.h"
 #include "Core/Search/Tree/Tree.h"
 #include "Core/Search/Tree/Walk.h"
 
@@ -41,18 +40,8 @@ public:
     return this->OnSphere ? (1.0 / skd::Norm(x)) * x : x;
   }
 
-  /// Calls visit(i), in any order, for all points in the box, and some that are near. Thread-safe.
-  template <class Visit>
-  void ForEachWithin(const skd::Box3& box, const Visit& visit) const
-  {
-    auto visitor = [&visit](std::uint32_t i)
-    {
-      visit(i);
-      return true;
-    };
-    skd::WithinBox<3, decltype(visitor)> query(this->Tree.GetFrame(), box, visitor);
-    skd::Walk(this->Tree, query);
-  }
+  /// All points in the box, and some that are near, in any order. Thread-safe.
+  void FindWithin(const skd::Box3& box, std::vector<std::uint32_t>& points) const;
 
   /// A point that was found, and its squared distance.
   struct Near

@@ -62,7 +62,7 @@ SkdCellTree::SkdCellTree(SkdCellStore&& store, const SkdTreeSettings& settings)
   this->Eager = SkdBuildTree(input);
   this->LeafFilters = SkdLeafFilters(this->Store, this->Eager, this->TheRounding);
   this->View = this->Eager.View();
-  this->Packets = this->LeafFilters.Packets();
+  this->Packets = this->LeafFilters.GetTriangles();
 }
 
 //------------------------------------------------------------------------------

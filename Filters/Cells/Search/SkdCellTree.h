@@ -12,7 +12,7 @@
 #include "Cells/Search/SkdWideWalks.h"
 #include "Core/Geometry/Plane.h"
 #include "Core/Geometry/RigidMotion.h"
-#include "Core/Geometry/Simplices/SimplexSet.h"
+#include "Core/Geometry/Segment.h"
 #include "Core/Search/Tree/LazyTree.h"
 #include "Core/Search/Tree/Tree.h"
 #include "Core/Search/Tree/TreeInput.h"
@@ -27,7 +27,9 @@ class vtkIdList;
 
 namespace skd
 {
+class SegmentView;
 struct CandidateLanes;
+struct SimplexSet;
 template <int D>
 struct PaperTree;
 }

@@ -4,6 +4,7 @@
 
 #include "Cells/Kernels/SkdFaceTriangles.h"
 #include "Cells/Search/SkdVisitCandidates.h"
+#include "Core/Geometry/Cells/Polyhedron.h"
 #include "Core/Geometry/Intersection/BoxOverlap.h"
 
 namespace skdtree

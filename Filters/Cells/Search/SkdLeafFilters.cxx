@@ -4,6 +4,8 @@
 
 #include "Cells/Kernels/SkdPolyKernels.h"
 #include "Core/Geometry/Cells/CellFaces.h"
+#include "Core/Search/LeafFilters/PlaneLeafFilter.h"
+#include "Core/Search/LeafFilters/TriangleLeafFilters.h"
 
 #include "vtkSMPTools.h"
 
@@ -216,7 +218,80 @@ private:
 }
 
 //------------------------------------------------------------------------------
+class SkdLeafFilters::Arrays
+{
+public:
+  Arrays(const SkdCellStore& store, skd::Tree<3>& tree, double rounding);
+
+  skd::TrianglePackets ViewTriangles() const
+  {
+    return { this->Triangles.data(),
+      { this->FloatPoints.empty() ? nullptr : this->FloatPoints.data(),
+        this->Points.empty() ? nullptr : this->Points.data() } };
+  }
+  skd::PlanePackets ViewPlanes() const
+  {
+    return { this->PlanePackets.data(), this->Rows.data(), this->CommonRows };
+  }
+  std::size_t MemorySize() const;
+
+private:
+  // A tag is twice the number of a packet of triangles, or of a packet of planes and 1 more. If all
+  // leaves have packets, or all packets of planes, these have the numbers of the nodes, and inner
+  // nodes have a note about those of their children.
+
+  /// Of leaves, and of those that have a packet of either kind.
+  struct Counts
+  {
+    std::uint32_t Leaves = 0;
+    std::uint32_t Packets = 0;
+    std::uint32_t PlanePackets = 0;
+  };
+
+  /// Tags leaves for a packet, or with the number of rows that they need.
+  static Counts Census(const SkdCellStore& store, skd::Tree<3>& tree);
+  static void CountIn(
+    const SkdCellStore& store, skd::Tree<3>& tree, std::uint32_t index, Counts& counts);
+  /// Gives packets their numbers, but packets of all leaves, which take theirs when
+  /// they are filled. Whether the numbers are those of the leaves.
+  bool Number(skd::Tree<3>& tree, const Counts& counts);
+  void NumberRows();
+  void FillTriangles(const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& leaf);
+  void FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree);
+  /// `firsts`: where the points of each piece of the packets begin.
+  template <class Real>
+  void CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree,
+    const std::vector<std::uint64_t>& firsts, skd::RawVector<Real>& points);
+  void FillPlanes(
+    const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& leaf, double rounding);
+
+  skd::RawVector<skd::TrianglePacket> Triangles;
+  skd::RawVector<float> FloatPoints; // of the packets, in turn, if all leaves have one: in
+  skd::RawVector<double> Points;     // single precision or, where that is not enough, in double
+  skd::RawVector<skd::PlanePacket> PlanePackets;
+  skd::RawVector<skd::PlaneRow> Rows; // those of a packet in turn
+  std::uint32_t CommonRows = 0;       // of each packet, or 0
+};
+
+SkdLeafFilters::SkdLeafFilters() = default;
+SkdLeafFilters::SkdLeafFilters(SkdLeafFilters&&) noexcept = default;
+SkdLeafFilters& SkdLeafFilters::operator=(SkdLeafFilters&&) noexcept = default;
+SkdLeafFilters::~SkdLeafFilters() = default;
+
 SkdLeafFilters::SkdLeafFilters(const SkdCellStore& store, skd::Tree<3>& tree, double rounding)
+  : Stored(std::make_unique<const Arrays>(store, tree, rounding))
+  , Triangles(this->Stored->ViewTriangles())
+  , Planes(this->Stored->ViewPlanes())
+{
+}
+
+std::size_t SkdLeafFilters::MemorySize() const
+{
+  return this->Stored ? sizeof(Arrays) + this->Stored->MemorySize() : 0;
+}
+
+//------------------------------------------------------------------------------
+SkdLeafFilters::Arrays::Arrays(const SkdCellStore& store, skd::Tree<3>& tree, double rounding)
 {
   const bool isInOrder = this->Number(tree, Census(store, tree));
   vtkSMPTools::For(0, static_cast<vtkIdType>(tree.NumberOfNodes()),
@@ -253,7 +328,8 @@ SkdLeafFilters::SkdLeafFilters(const SkdCellStore& store, skd::Tree<3>& tree, do
 }
 
 //------------------------------------------------------------------------------
-SkdLeafFilters::Counts SkdLeafFilters::Census(const SkdCellStore& store, skd::Tree<3>& tree)
+SkdLeafFilters::Arrays::Counts SkdLeafFilters::Arrays::Census(
+  const SkdCellStore& store, skd::Tree<3>& tree)
 {
   std::array<Counts, NumberOfPieces> pieces;
   ForEachPiece(tree.NumberOfNodes(),
@@ -277,7 +353,7 @@ SkdLeafFilters::Counts SkdLeafFilters::Census(const SkdCellStore& store, skd::Tr
 }
 
 //------------------------------------------------------------------------------
-void SkdLeafFilters::CountIn(
+void SkdLeafFilters::Arrays::CountIn(
   const SkdCellStore& store, skd::Tree<3>& tree, std::uint32_t index, Counts& counts)
 {
   const Node& node = tree.Open(index);
@@ -311,7 +387,7 @@ void SkdLeafFilters::CountIn(
 }
 
 //------------------------------------------------------------------------------
-bool SkdLeafFilters::Number(skd::Tree<3>& tree, const Counts& counts)
+bool SkdLeafFilters::Arrays::Number(skd::Tree<3>& tree, const Counts& counts)
 {
   const bool isInOrder = counts.Packets == counts.Leaves || counts.PlanePackets == counts.Leaves;
   this->Triangles.resize(counts.Packets);
@@ -345,7 +421,7 @@ bool SkdLeafFilters::Number(skd::Tree<3>& tree, const Counts& counts)
 }
 
 //------------------------------------------------------------------------------
-void SkdLeafFilters::NumberRows()
+void SkdLeafFilters::Arrays::NumberRows()
 {
   std::uint32_t rows = 0;
   this->CommonRows = this->PlanePackets.empty() ? 0 : this->PlanePackets.front().Count;
@@ -359,7 +435,7 @@ void SkdLeafFilters::NumberRows()
 }
 
 //------------------------------------------------------------------------------
-void SkdLeafFilters::FillTriangles(
+void SkdLeafFilters::Arrays::FillTriangles(
   const SkdCellStore& store, const skd::Tree<3>& tree, const Node& leaf)
 {
   skd::TrianglePacket& packet = this->Triangles[leaf.Tag >> 1];
@@ -382,7 +458,7 @@ void SkdLeafFilters::FillTriangles(
 
 //------------------------------------------------------------------------------
 // So far, packets have said how many points they have.
-void SkdLeafFilters::FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree)
+void SkdLeafFilters::Arrays::FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree)
 {
   std::vector<std::uint64_t> firsts(NumberOfPieces);
   ForEachPiece(this->Triangles.size(),
@@ -417,7 +493,7 @@ void SkdLeafFilters::FillPoints(const SkdCellStore& store, const skd::Tree<3>& t
 
 //------------------------------------------------------------------------------
 template <class Real>
-void SkdLeafFilters::CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree,
+void SkdLeafFilters::Arrays::CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree,
   const std::vector<std::uint64_t>& firsts, skd::RawVector<Real>& points)
 {
   const auto copy = [&](const skd::TrianglePacket& packet, const skd::ElementRange& elements)
@@ -449,7 +525,7 @@ void SkdLeafFilters::CopyPoints(const SkdCellStore& store, const skd::Tree<3>& t
 }
 
 //------------------------------------------------------------------------------
-void SkdLeafFilters::FillPlanes(
+void SkdLeafFilters::Arrays::FillPlanes(
   const SkdCellStore& store, const skd::Tree<3>& tree, const Node& leaf, double rounding)
 {
   skd::PlanePacket& packet = this->PlanePackets[leaf.Tag >> 1];
@@ -471,7 +547,7 @@ void SkdLeafFilters::FillPlanes(
 }
 
 //------------------------------------------------------------------------------
-std::size_t SkdLeafFilters::MemorySize() const
+std::size_t SkdLeafFilters::Arrays::MemorySize() const
 {
   return this->Triangles.capacity() * sizeof(skd::TrianglePacket) +
     this->FloatPoints.capacity() * sizeof(float) + this->Points.capacity() * sizeof(double) +

@@ -4,11 +4,10 @@
 #define SkdLeafFilters_h
 
 #include "Cells/Search/SkdCellStore.h"
-#include "Core/Search/LeafFilters/PlaneLeafFilter.h"
-#include "Core/Search/LeafFilters/TriangleLeafFilters.h"
+#include "Core/Search/LeafFilters/LeafPackets.h"
 #include "Core/Search/Tree/Tree.h"
 
-#include <vector>
+#include <memory>
 
 namespace skdtree
 {
@@ -23,63 +22,28 @@ namespace skdtree
 class SkdLeafFilters
 {
 public:
-  SkdLeafFilters() = default;
+  SkdLeafFilters();
   /// `rounding`: the distance from a cell up to which a point counts as inside. Tags the leaves
   /// that can be filtered: those with only triangles, or only such volume cells.
   SkdLeafFilters(const SkdCellStore& store, skd::Tree<3>& tree, double rounding);
+  SkdLeafFilters(SkdLeafFilters&&) noexcept;
+  SkdLeafFilters& operator=(SkdLeafFilters&&) noexcept;
+  ~SkdLeafFilters();
 
   /// For the leaf filters of Core/Search/LeafFilters/TriangleLeafFilters.h.
-  skd::TrianglePackets Packets() const
-  {
-    return { this->Triangles.data(),
-      { this->FloatPoints.empty() ? nullptr : this->FloatPoints.data(),
-        this->Points.empty() ? nullptr : this->Points.data() } };
-  }
+  const skd::TrianglePackets& GetTriangles() const { return this->Triangles; }
 
   /// For skd::PlaneLeafFilter.
-  skd::PlanePackets Planes() const
-  {
-    return { this->PlanePackets.data(), this->Rows.data(), this->CommonRows };
-  }
+  const skd::PlanePackets& GetPlanes() const { return this->Planes; }
 
   std::size_t MemorySize() const;
 
 private:
-  // A tag is twice the number of a packet of triangles, or of a packet of planes and 1 more. If all
-  // leaves have packets, or all packets of planes, these have the numbers of the nodes, and inner
-  // nodes have a note about those of their children.
+  class Arrays;
 
-  /// Of leaves, and of those that have a packet of either kind.
-  struct Counts
-  {
-    std::uint32_t Leaves = 0;
-    std::uint32_t Packets = 0;
-    std::uint32_t PlanePackets = 0;
-  };
-
-  /// Tags leaves for a packet, or with the number of rows that they need.
-  static Counts Census(const SkdCellStore& store, skd::Tree<3>& tree);
-  static void CountIn(
-    const SkdCellStore& store, skd::Tree<3>& tree, std::uint32_t index, Counts& counts);
-  /// Gives packets their numbers, but packets of all leaves, which take theirs when
-  /// they are filled. Whether the numbers are those of the leaves.
-  bool Number(skd::Tree<3>& tree, const Counts& counts);
-  void NumberRows();
-  void FillTriangles(const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& leaf);
-  void FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree);
-  /// `firsts`: where the points of each piece of the packets begin.
-  template <class Real>
-  void CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree,
-    const std::vector<std::uint64_t>& firsts, skd::RawVector<Real>& points);
-  void FillPlanes(
-    const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& leaf, double rounding);
-
-  skd::RawVector<skd::TrianglePacket> Triangles;
-  skd::RawVector<float> FloatPoints; // of the packets, in turn, if all leaves have one: in
-  skd::RawVector<double> Points;     // single precision or, where that is not enough, in double
-  skd::RawVector<skd::PlanePacket> PlanePackets;
-  skd::RawVector<skd::PlaneRow> Rows; // those of a packet in turn
-  std::uint32_t CommonRows = 0;       // of each packet, or 0
+  std::unique_ptr<const Arrays> Stored;
+  skd::TrianglePackets Triangles;
+  skd::PlanePackets Planes;
 };
 }
 

@@ -8,6 +8,7 @@
 #include "Core/Geometry/Intersection/CrossingDirection.h"
 #include "Core/Geometry/Intersection/SegmentNearTriangle.h"
 #include "Core/Geometry/Intersection/SegmentPolygon.h"
+#include "Core/Search/LeafFilters/TriangleLeafFilters.h"
 #include "Core/Search/Queries/AlongSegment.h"
 #include "Core/Search/Queries/TriangleHits.h"
 

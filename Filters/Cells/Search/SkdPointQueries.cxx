@@ -4,6 +4,8 @@
 
 #include "Cells/Kernels/SkdGenericKernel.h"
 #include "Cells/Kernels/SkdPolyKernels.h"
+#include "Core/Search/LeafFilters/PlaneLeafFilter.h"
+#include "Core/Search/LeafFilters/TriangleLeafFilters.h"
 #include "Core/Search/Queries/Nearest.h"
 #include "Core/Search/Queries/WithinBox.h"
 
@@ -152,7 +154,7 @@ SkdFoundCell SkdCellTree::FindContaining(
   if (best.Limit2 <= rounding2)
   {
     // Only boxes that hold x matter, in any order; safety boxes are wider than rounding.
-    const skd::PlanePackets planes = this->LeafFilters.Planes();
+    const skd::PlanePackets& planes = this->LeafFilters.GetPlanes();
     const auto wide = [&](const SkdWideTree& tree)
     { SkdWideWalks::AboutPoint(tree, &planes, x.X, SkdWideVisitor::Of(tryCell)); };
     if (!this->WalkWide(wide))

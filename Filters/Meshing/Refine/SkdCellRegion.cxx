@@ -5,6 +5,7 @@
 #include "Cells/Kernels/SkdKernels.h"
 #include "Core/Geometry/Polygons/EarClipping.h"
 #include "Core/Geometry/Polygons/Ears.h"
+#include "Core/Geometry/Simplices/SimplexDistance.h"
 
 #include <algorithm>
 

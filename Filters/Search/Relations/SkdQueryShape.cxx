@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Search/Relations/SkdQueryShape.h"
 
+#include "Core/Geometry/Simplices/SimplexDistance.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 
@@ -158,7 +159,7 @@ double SkdQueryShape::Rounding(const SkdCellTree& tree) const
 }
 
 //------------------------------------------------------------------------------
-// The query is the line itself, not its bounding box, where safety boxes allow for the reach.
+// The query is the line itself, not its bounding box, where safety boxes allow for the distance.
 bool SkdQueryShape::IsAsSegment(const SkdCellTree& tree, double maxDistance) const
 {
   return this->TheKind == Kind::Line && maxDistance <= tree.AbsoluteEpsilon();

@@ -5,7 +5,7 @@
 
 #include "../Intersection/SegmentFacet.h"
 #include "../Intersection/TriangleContact.h"
-#include "SimplexSet.h"
+#include "SimplexDistance.h"
 
 namespace skd
 {

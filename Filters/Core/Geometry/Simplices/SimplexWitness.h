@@ -3,7 +3,7 @@
 #ifndef skd_Geometry_Simplices_SimplexWitness_h
 #define skd_Geometry_Simplices_SimplexWitness_h
 
-#include "SimplexSet.h"
+#include "SimplexDistance.h"
 
 #include <algorithm>
 

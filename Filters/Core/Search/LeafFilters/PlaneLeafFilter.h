@@ -3,7 +3,7 @@
 #ifndef skd_LeafFilters_PlaneLeafFilter_h
 #define skd_LeafFilters_PlaneLeafFilter_h
 
-#include "../Tree/Node.h"
+#include "LeafPackets.h"
 #include "PlaneRow.h"
 
 namespace skd
@@ -15,14 +15,6 @@ struct PlanePacket
   QuantizationGrid Grid;
   std::uint32_t FirstRow;
   std::uint32_t Count; ///< of rows
-};
-
-/// The packets of a tree's leaves, for leaf filters (Tree/Walk.h) to look at.
-struct PlanePackets
-{
-  const PlanePacket* First;
-  const PlaneRow* Rows;     ///< those of a packet in turn
-  std::uint32_t CommonRows; ///< of each packet, or 0
 };
 
 /// The volume cells that may contain a point: an odd tag is twice the number of a node's packet,

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What leaf filters (Tree/Walk.h) look at, for those who only pass it on: what a packet is and
+/// what is asked of it is in TriangleLeafFilters.h and PlaneLeafFilter.h.
+#ifndef skd_LeafFilters_LeafPackets_h
+#define skd_LeafFilters_LeafPackets_h
+
+#include "../Tree/Node.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace skd
+{
+
+struct TrianglePacket;
+struct PlanePacket;
+struct PlaneRow;
+
+/// The corners that packets name, each once a packet, as the data set has them: in single precision
+/// where it has no more.
+struct PacketPoints
+{
+  const float* Floats = nullptr; ///< one of the two
+  const double* Doubles = nullptr;
+
+  Vector3 At(std::uint32_t point) const
+  {
+    const std::size_t at = 3 * std::size_t(point);
+    return this->Floats
+      ? Vector3{ { this->Floats[at], this->Floats[at + 1], this->Floats[at + 2] } }
+      : Vector3{ { this->Doubles[at], this->Doubles[at + 1], this->Doubles[at + 2] } };
+  }
+
+  /// As many as packets have usually.
+  void Fetch(std::uint32_t first) const
+  {
+    const std::size_t at = 3 * std::size_t(first);
+    if (this->Floats)
+    {
+      FetchLines<128>(this->Floats + at);
+    }
+    else
+    {
+      FetchLines<256>(this->Doubles + at);
+    }
+  }
+};
+
+/// The packets of triangles of a tree's leaves.
+class TrianglePackets
+{
+public:
+  TrianglePackets() = default; ///< none
+  TrianglePackets(const TrianglePacket* first, const PacketPoints& points)
+    : First(first)
+    , Points(points)
+  {
+  }
+
+  static constexpr bool SkipsLeaves = true;
+  static bool Knows(const Node<3>& node) { return (node.Tag & 1u) == 0; }
+  static std::uint32_t TagOf(std::uint32_t packet) { return 2 * packet; }
+  static std::uint32_t NumberOf(const Node<3>& leaf) { return leaf.Tag >> 1; }
+
+  /// Whether there are points: the packets are then those of all leaves, by number.
+  bool HavePoints() const { return this->Points.Floats || this->Points.Doubles; }
+
+  ///@{
+  /// TriangleLeafFilters.h has these.
+  const TrianglePacket& Of(std::uint32_t number) const;
+  void Fetch(std::uint32_t number) const;
+  void FetchPoints(std::uint32_t number) const;
+  Vector3 Corner(std::uint32_t number, std::uint32_t lane, int corner) const;
+  ///@}
+
+private:
+  const TrianglePacket* First = nullptr;
+  PacketPoints Points;
+};
+
+/// The packets of planes of a tree's leaves.
+struct PlanePackets
+{
+  const PlanePacket* First = nullptr;
+  const PlaneRow* Rows = nullptr; ///< those of a packet in turn
+  std::uint32_t CommonRows = 0;   ///< of each packet, or 0
+};
+
+}
+
+#endif
