@@ -199,21 +199,30 @@ bool Referee::MayBeListed(QueryKind queryKind, const Query& query, vtkIdType cel
                                             : this->IsHit(query, cell, 10 * this->LineTolerance);
 }
 
+bool Referee::Has(vtkIdType cell) const
+{
+  return cell >= 0 && cell < this->Data->GetNumberOfCells();
+}
+
 // A cell of its own each time: a generic cell gives its polyhedron again, and one of VTK 9.1 that
 // is used again may find no nearest point.
-void Referee::LookAt(vtkIdType cell)
+bool Referee::LookAt(vtkIdType cell)
 {
+  if (!this->Has(cell))
+  {
+    return false;
+  }
   this->Cell = vtkSmartPointer<vtkGenericCell>::New();
   this->Data->GetCell(cell, this->Cell);
+  return true;
 }
 
 bool Referee::IsHit(const Query& query, vtkIdType cell, double tolerance)
 {
-  if (cell < 0 || cell >= this->Data->GetNumberOfCells())
+  if (!this->LookAt(cell))
   {
     return false;
   }
-  this->LookAt(cell);
   double t;
   Point x;
   Point pcoords;
@@ -224,7 +233,7 @@ bool Referee::IsHit(const Query& query, vtkIdType cell, double tolerance)
 
 bool Referee::IsInBox(const Query& query, vtkIdType cell)
 {
-  if (cell < 0 || cell >= this->Data->GetNumberOfCells())
+  if (!this->Has(cell))
   {
     return false;
   }
@@ -240,11 +249,10 @@ bool Referee::IsInside(const Point& x, vtkIdType cell)
 
 double Referee::DistanceToCell(const Point& x, vtkIdType cell)
 {
-  if (cell < 0 || cell >= this->Data->GetNumberOfCells())
+  if (!this->LookAt(cell))
   {
     return Infinity;
   }
-  this->LookAt(cell);
   Point closest;
   Point pcoords;
   int subId;
@@ -276,11 +284,10 @@ double Referee::Outside() const
 
 double Referee::Warp(vtkIdType cell)
 {
-  if (cell < 0 || cell >= this->Data->GetNumberOfCells())
+  if (!this->LookAt(cell))
   {
     return 0.0;
   }
-  this->LookAt(cell);
   if (this->Cell->GetCellDimension() < 3)
   {
     return WarpOf(this->Cell);

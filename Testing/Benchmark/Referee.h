@@ -58,7 +58,10 @@ private:
   bool IsInBox(const Query& query, vtkIdType cell);
   bool IsInside(const Point& x, vtkIdType cell);
 
-  void LookAt(vtkIdType cell);
+  bool Has(vtkIdType cell) const;
+
+  /// False of an id that no cell has.
+  bool LookAt(vtkIdType cell);
 
   /// Infinity for an id that no cell has.
   double DistanceToCell(const Point& x, vtkIdType cell);

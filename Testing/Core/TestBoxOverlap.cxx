@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Geometry/Intersection/BoxOverlap.h"
 #include "CoreScenes.h"
+#include "Support/ClippedWhere.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ using skd::Overlaps;
 using skd::Vector3;
 using Corners = std::vector<Vector3>;
 
-/// What a box leaves of a convex polygon (Sutherland and Hodgman), an independent method.
+/// What a box leaves of a convex polygon, an independent method.
 Corners Clipped(Corners polygon, const Box3& box)
 {
   for (int side = 0; side < 6; ++side)
@@ -26,23 +27,13 @@ Corners Clipped(Corners polygon, const Box3& box)
     const double sign = side % 2 ? -1.0 : 1.0;
     const double limit = side % 2 ? box.Max[axis] : box.Min[axis];
     const auto height = [&](const Vector3& p) { return sign * (p[axis] - limit); };
-    Corners kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-    {
-      const Vector3& p = polygon[i];
-      const Vector3& q = polygon[(i + 1) % polygon.size()];
-      if (height(p) >= 0.0)
+    polygon = skdtest::ClippedWhere(polygon, height,
+      [&](const Vector3& p, const Vector3& q, double t)
       {
-        kept.push_back(p);
-      }
-      if ((height(p) > 0.0 && height(q) < 0.0) || (height(p) < 0.0 && height(q) > 0.0))
-      {
-        Vector3 crossing = Lerp(p, q, height(p) / (height(p) - height(q)));
+        Vector3 crossing = Lerp(p, q, t);
         crossing[axis] = limit;
-        kept.push_back(crossing);
-      }
-    }
-    polygon = kept;
+        return crossing;
+      });
   }
   return polygon;
 }

@@ -274,9 +274,7 @@ TEST_P(CellTypes, WithinBoundsAreThoseWhoseBoundsOverlap)
   Random random(133);
   for (int i = 0; i < 30; ++i)
   {
-    Bounds box = EmptyBounds();
-    Extend(box, this->Query(random));
-    Extend(box, this->Query(random));
+    const Bounds box = BoxOf(this->Query(random), this->Query(random));
     ASSERT_EQ(FindWithinBounds(this->Locator, box), this->Reference.FindWithinBounds(box));
   }
 }

@@ -4,8 +4,7 @@
 // all triangles says.
 
 #include "Support/CurveRun.h"
-#include "Support/Folders.h"
-#include "Support/RealMeshes.h"
+#include "Support/OnFile.h"
 
 #include "vtkSkdTreeCurveSurfaceIntersection.h"
 #include "vtkTriangleFilter.h"
@@ -125,7 +124,7 @@ void ExpectAllMet(
   }
 }
 
-class CurveSurfaceReal : public testing::TestWithParam<std::string>
+class CurveSurfaceReal : public OnFile
 {
 };
 
@@ -136,10 +135,6 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(CurveSurfaceReal, HitsAreThoseOfALookAtAllTriangles)
 {
-  if (GetParam().empty())
-  {
-    GTEST_SKIP() << "no surfaces in " << ExtraDataFolder();
-  }
   const PolyDataPointer surface = ReadTriangles(GetParam());
   const std::vector<Triangle> triangles = TrianglesOf(surface);
   if (triangles.empty())

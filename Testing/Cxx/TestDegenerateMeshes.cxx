@@ -194,9 +194,7 @@ TEST_P(Degenerate, BoundsQueriesAreExact)
   Random random(183);
   for (int i = 0; i < 100; ++i)
   {
-    Bounds box = EmptyBounds();
-    Extend(box, this->Query(random));
-    Extend(box, this->Query(random));
+    const Bounds box = BoxOf(this->Query(random), this->Query(random));
     ASSERT_EQ(FindWithinBounds(this->Locator, box), this->Reference.FindWithinBounds(box));
   }
   const Bounds& whole = this->Reference.GetBounds();

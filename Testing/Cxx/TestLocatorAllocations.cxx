@@ -3,8 +3,7 @@
 // Queries allocate nothing. All of the program's operator new is counted, on the thread of the
 // query.
 
-#include "Support/LocatorCalls.h"
-#include "Support/NamedMeshes.h"
+#include "Support/LocatorOnMesh.h"
 
 #include "vtkSMPTools.h"
 
@@ -163,19 +162,15 @@ std::vector<NamedMesh> KernelMeshes()
     { "Image", [] { return MakeImage(6); } } };
 }
 
-class Allocations : public testing::TestWithParam<NamedMesh>
+class Allocations : public BuiltLocator
 {
 protected:
   Allocations()
-    : Data(GetParam().Make())
-    , Locator(MakeLocator(this->Data))
   {
-    Bounds box;
-    this->Data->GetBounds(box.data());
     Random random(150);
     for (int i = 0; i < 200; ++i)
     {
-      this->Points.push_back(random.InBox(Grown(box, 0.1 * Diagonal(box))));
+      this->Points.push_back(random.InBox(Grown(this->Box, 0.1 * Diagonal(this->Box))));
     }
   }
 
@@ -198,8 +193,6 @@ protected:
     return NumberOfAllocations;
   }
 
-  DataSetPointer Data;
-  LocatorPointer Locator;
   std::vector<Point> Points;
   Point X, Pcoords;
   double T = 0.0;

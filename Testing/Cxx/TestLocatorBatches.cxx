@@ -3,8 +3,8 @@
 // Batches have the results of single queries, each in its slot, whatever the number of threads.
 
 #include "Support/EventCounter.h"
-#include "Support/LocatorCalls.h"
-#include "Support/NamedMeshes.h"
+#include "Support/LocatorOnMesh.h"
+#include "Support/ValuesOf.h"
 
 #include "vtkFloatArray.h"
 #include "vtkMatrix4x4.h"
@@ -32,19 +32,6 @@ Doubles MakeArray(int components, const std::vector<double>& values)
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   return array;
-}
-
-std::vector<double> ValuesOf(vtkDataArray* array)
-{
-  std::vector<double> values;
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
-    {
-      values.push_back(array->GetComponent(i, k));
-    }
-  }
-  return values;
 }
 
 /// Equal to the bit, of NaN too.
@@ -143,20 +130,16 @@ struct Answers
   }
 };
 
-class Batches : public testing::TestWithParam<NamedMesh>
+class Batches : public BuiltLocator
 {
 protected:
   Batches()
-    : Data(GetParam().Make())
-    , Locator(MakeLocator(this->Data))
-    , Points(QueryPoints(this->Data))
+    : Points(QueryPoints(this->Data))
     , Queries(ToArray(this->Points))
     , Lines(ToLines(this->Points))
+    , Boxes(ToBoxes(this->Points, 0.05 * Diagonal(this->Box)))
+    , Radius(0.2 * Diagonal(this->Box))
   {
-    Bounds box;
-    this->Data->GetBounds(box.data());
-    this->Radius = 0.2 * Diagonal(box);
-    this->Boxes = ToBoxes(this->Points, 0.05 * Diagonal(box));
   }
 
   void AskAll(Answers& a)
@@ -261,11 +244,9 @@ protected:
       ToVector(ids));
   }
 
-  DataSetPointer Data;
-  LocatorPointer Locator;
   std::vector<Point> Points;
   Doubles Queries, Lines, Boxes;
-  double Radius = 0.0;
+  double Radius;
 };
 
 INSTANTIATE_TEST_SUITE_P(All, Batches, testing::ValuesIn(AllMeshes()), NameOfMesh());

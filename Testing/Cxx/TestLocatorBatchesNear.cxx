@@ -3,8 +3,7 @@
 // Batches of neighbours, of weights, of segments and of rays have the results of single queries.
 
 #include "Support/EventCounter.h"
-#include "Support/LocatorCalls.h"
-#include "Support/NamedMeshes.h"
+#include "Support/LocatorOnMesh.h"
 
 #include "vtkMatrix4x4.h"
 
@@ -32,20 +31,16 @@ vtkSmartPointer<vtkDoubleArray> ToArray(const std::vector<std::vector<double>>& 
   return array;
 }
 
-class BatchesNear : public testing::TestWithParam<NamedMesh>
+class BatchesNear : public BuiltLocator
 {
 protected:
   BatchesNear()
-    : Data(GetParam().Make())
-    , Locator(MakeLocator(this->Data))
+    : Length(Diagonal(this->Box))
   {
-    Bounds box;
-    this->Data->GetBounds(box.data());
-    this->Length = Diagonal(box);
     Random random(190);
     for (int i = 0; i < NumberOfQueries; ++i)
     {
-      const Point x = random.InBox(Grown(box, 0.2 * this->Length));
+      const Point x = random.InBox(Grown(this->Box, 0.2 * this->Length));
       this->Points.push_back(x);
       this->Rows.push_back({ x[0], x[1], x[2] });
       this->Spheres.push_back({ x[0], x[1], x[2], 0.02 * this->Length * random.Index(10) });
@@ -124,8 +119,6 @@ protected:
     }
   }
 
-  DataSetPointer Data;
-  LocatorPointer Locator;
   double Length;
   std::vector<Point> Points;
   std::vector<std::vector<double>> Rows, Spheres;

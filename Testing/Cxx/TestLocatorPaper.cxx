@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // S and L: the invariants of Algorithm 3.1, and their picture.
 
-#include "Support/BruteForce.h"
-#include "Support/NamedMeshes.h"
+#include "Support/LocatorOnMesh.h"
 #include "Support/PaperArrays.h"
 
 #include <gtest/gtest.h>
@@ -25,20 +24,16 @@ int CeilLog2(vtkIdType n)
   return depth;
 }
 
-class PaperTree : public testing::TestWithParam<NamedMesh>
+class PaperTree : public BuiltLocator
 {
 protected:
   PaperTree()
-    : Data(GetParam().Make())
-    , Locator(MakeLocator(this->Data))
-    , Arrays(this->Locator)
+    : Arrays(this->Locator)
   {
   }
 
   vtkIdType Size() const { return this->Data->GetNumberOfCells(); }
 
-  DataSetPointer Data;
-  LocatorPointer Locator;
   PaperArrays Arrays;
 };
 

@@ -70,8 +70,7 @@ protected:
   BruteForce Reference;
 };
 
-INSTANTIATE_TEST_SUITE_P(All, MovedSet, testing::ValuesIn(MovableMeshes()),
-  [](const testing::TestParamInfo<MovableMesh>& info) { return std::string(info.param.Name); });
+INSTANTIATE_TEST_SUITE_P(All, MovedSet, testing::ValuesIn(MovableMeshes()), NameOfMesh());
 
 TEST_P(MovedSet, HasTheSameClosestPoints)
 {
@@ -144,9 +143,7 @@ TEST_P(MovedSet, HasTheSameCellsWithinBounds)
   Random random(113);
   for (int i = 0; i < 100; ++i)
   {
-    Bounds box = EmptyBounds();
-    Extend(box, this->Query(random));
-    Extend(box, this->Query(random));
+    const Bounds box = BoxOf(this->Query(random), this->Query(random));
     ASSERT_EQ(FindWithinBounds(this->Locator, box), FindWithinBounds(this->Expected, box));
   }
 }

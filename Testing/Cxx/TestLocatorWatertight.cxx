@@ -138,8 +138,7 @@ protected:
   LocatorPointer Locator;
 };
 
-INSTANTIATE_TEST_SUITE_P(Closed, Watertight, testing::ValuesIn(ClosedSurfaces()),
-  [](const testing::TestParamInfo<ClosedSurface>& info) { return std::string(info.param.Name); });
+INSTANTIATE_TEST_SUITE_P(Closed, Watertight, testing::ValuesIn(ClosedSurfaces()), NameOfMesh());
 
 TEST_P(Watertight, NoLineFromInsideGetsOut)
 {

@@ -365,7 +365,6 @@ TEST_P(MeshRefinement, BalanceBoundsHowLevelsDiffer)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MeshRefinement, testing::ValuesIn(Cases),
-  [](const auto& info) { return std::string(info.param.Name); });
+INSTANTIATE_TEST_SUITE_P(All, MeshRefinement, testing::ValuesIn(Cases), NameOfMesh());
 
 }

@@ -4,9 +4,8 @@
 // SKDTREE_EXTRA_DATA_DIR if it is there.
 
 #include "Support/CellShape.h"
-#include "Support/Folders.h"
 #include "Support/InOutRun.h"
-#include "Support/RealMeshes.h"
+#include "Support/OnFile.h"
 
 #include <gtest/gtest.h>
 
@@ -68,14 +67,15 @@ Bounds BoundsOf(vtkDataSet* mesh)
   return box;
 }
 
-class PointInOutOfFile : public testing::TestWithParam<std::string>
+class PointInOutOfFile : public OnFile
 {
 protected:
   void SetUp() override
   {
-    if (GetParam().empty())
+    OnFile::SetUp();
+    if (IsSkipped())
     {
-      GTEST_SKIP() << "no meshes in " << ExtraDataFolder();
+      return;
     }
     this->Surface = Triangulated(SurfaceOf(ReadMesh(GetParam())));
     if (!IsClosed(this->Surface))

@@ -4,11 +4,10 @@
 // cells among them: each is found in a cell that holds it by the cell's own evaluation.
 
 #include "Support/FetchCell.h"
-#include "Support/Folders.h"
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"
+#include "Support/OnFile.h"
 #include "Support/ProbeRun.h"
-#include "Support/RealMeshes.h"
 
 #include "vtkProbeFilter.h"
 #include "vtkResampleWithDataSet.h"
@@ -307,7 +306,7 @@ private:
   vtkNew<vtkGenericCell> Cell;
 };
 
-class ProbeEveryCellOfFile : public testing::TestWithParam<std::string>
+class ProbeEveryCellOfFile : public OnFile
 {
 };
 
@@ -318,10 +317,6 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(ProbeEveryCellOfFile, IsFound)
 {
-  if (GetParam().empty())
-  {
-    GTEST_SKIP() << "no meshes in " << ExtraDataFolder();
-  }
   const DataSetPointer mesh = ReadMesh(GetParam());
   ASSERT_NE(mesh, nullptr);
   EveryCell test(mesh, 4);

@@ -263,17 +263,16 @@ TEST(Probe, ProgressRisesAndAnAbortLeavesNone)
 
 TEST(Probe, BadInputGivesAWarningAndNoAnswers)
 {
-  vtkNew<vtkPolyData> empty;
-  auto broken = MakePolyData(Octahedron(1).Map([](const Point&) { return Point{ NAN, 0, 0 }; }));
-  auto blocks = MakeBlocks({ nullptr, empty });
-  for (vtkDataObject* source : std::vector<vtkDataObject*>{ empty, broken, blocks })
+  const NoSources none;
+  for (vtkDataObject* source : none.All())
   {
     ProbePointer probe = MakeProbe(MakeLine({ { 0, 0, 0 }, { 1, 2, 3 } }), source);
     probe->SetOutsidePoints(vtkSkdTreeProbe::NEAREST_CELL);
     probe->ProbeLinesOn();
     EventCounter events(probe);
     EXPECT_EQ(ProbeArray(probe, "SkdValid"), (std::vector<double>{ 0, 0 }));
-    EXPECT_EQ(events.Warnings, source == broken ? 2 : 1) << events.Warning; // one counts points
+    EXPECT_EQ(events.Warnings, source == none.NotFinite ? 2 : 1)
+      << events.Warning; // one counts points
     EXPECT_EQ(events.Errors, 0) << events.Error;
   }
   auto source = WithData(MakeGrid(Hexahedra(1)));

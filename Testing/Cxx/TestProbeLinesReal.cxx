@@ -3,9 +3,8 @@
 // vtkSkdTreeProbe along lines through meshes that other people made: tetrahedra, inverted
 // hexahedra, polyhedra that are not convex.
 
-#include "Support/Folders.h"
+#include "Support/OnFile.h"
 #include "Support/ProbeRun.h"
-#include "Support/RealMeshes.h"
 
 #include <gtest/gtest.h>
 
@@ -14,14 +13,15 @@ using namespace skdtest;
 namespace
 {
 
-class LinesThroughFile : public testing::TestWithParam<std::string>
+class LinesThroughFile : public OnFile
 {
 protected:
   void SetUp() override
   {
-    if (GetParam().empty())
+    OnFile::SetUp();
+    if (IsSkipped())
     {
-      GTEST_SKIP() << "no meshes in " << ExtraDataFolder();
+      return;
     }
     this->Source = ReadMesh(GetParam());
     this->Source->GetPointData()->Initialize();

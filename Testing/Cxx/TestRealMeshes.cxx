@@ -3,10 +3,9 @@
 // Meshes that other people made: those of Data/, and of the folder SKDTREE_EXTRA_DATA_DIR if it is
 // there.
 
-#include "Support/Folders.h"
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"
-#include "Support/RealMeshes.h"
+#include "Support/OnFile.h"
 
 #include <gtest/gtest.h>
 
@@ -15,14 +14,15 @@ using namespace skdtest;
 namespace
 {
 
-class RealMesh : public testing::TestWithParam<std::string>
+class RealMesh : public OnFile
 {
 protected:
   void SetUp() override
   {
-    if (GetParam().empty())
+    OnFile::SetUp();
+    if (IsSkipped())
     {
-      GTEST_SKIP() << "no meshes in " << ExtraDataFolder();
+      return;
     }
     this->Data = ReadMesh(GetParam());
     ASSERT_NE(this->Data, nullptr);

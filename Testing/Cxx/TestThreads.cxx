@@ -17,6 +17,30 @@ namespace
 
 constexpr int NumberOfThreads = 8;
 
+/// Of so many threads at once and all i below n each, how often isRight(thread, i) is false.
+template <class IsRight>
+int CountWrong(std::size_t n, const IsRight& isRight)
+{
+  std::atomic<int> wrong(0);
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < NumberOfThreads; ++thread)
+  {
+    threads.emplace_back(
+      [&, thread]
+      {
+        for (std::size_t i = 0; i < n; ++i)
+        {
+          wrong += !isRight(thread, i);
+        }
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  return wrong;
+}
+
 /// The results of one point, of all queries that the header calls thread-safe.
 struct Answers
 {
@@ -201,25 +225,12 @@ TEST(LazyTree, SplitUnderManyThreadsIsTheSameTree)
     lazy->SetDataSet(data);
     lazy->LazyBuildOn();
     lazy->BuildLocator();
-    std::atomic<int> wrong(0);
-    std::vector<std::thread> threads;
-    for (int thread = 0; thread < NumberOfThreads; ++thread)
+    const auto isRight = [&](int thread, std::size_t k)
     {
-      threads.emplace_back(
-        [&, thread]
-        {
-          for (std::size_t k = 0; k < points.size(); ++k)
-          {
-            const std::size_t i = (k * 7 + thread * 53) % points.size();
-            wrong += !(FindClosest(lazy, points[i]) == expected[i]);
-          }
-        });
-    }
-    for (std::thread& thread : threads)
-    {
-      thread.join();
-    }
-    ASSERT_EQ(wrong, 0) << "round " << round;
+      const std::size_t i = (k * 7 + thread * 53) % points.size();
+      return FindClosest(lazy, points[i]) == expected[i];
+    };
+    ASSERT_EQ(CountWrong(points.size(), isRight), 0) << "round " << round;
   }
 }
 
@@ -241,24 +252,9 @@ TEST(SharedTree, CopiesAskAtOnce)
     copies.push_back(LocatorPointer::New());
     copies.back()->ShallowCopy(locator);
   }
-  std::atomic<int> wrong(0);
-  std::vector<std::thread> threads;
-  for (int thread = 0; thread < NumberOfThreads; ++thread)
-  {
-    threads.emplace_back(
-      [&, thread]
-      {
-        for (std::size_t i = 0; i < points.size(); ++i)
-        {
-          wrong += !(FindClosest(copies[thread], points[i]) == expected[i]);
-        }
-      });
-  }
-  for (std::thread& thread : threads)
-  {
-    thread.join();
-  }
-  EXPECT_EQ(wrong, 0);
+  const auto isRight = [&](int thread, std::size_t i)
+  { return FindClosest(copies[thread], points[i]) == expected[i]; };
+  EXPECT_EQ(CountWrong(points.size(), isRight), 0);
 }
 
 }

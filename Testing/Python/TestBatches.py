@@ -5,18 +5,14 @@
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray
-from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkskdtree import vtkSkdTreeCellLocator
+
+import skdtesting
 
 
 def make_locator(radius=1.0):
-    sphere = vtkSphereSource()
-    sphere.SetRadius(radius)
-    sphere.SetThetaResolution(64)
-    sphere.SetPhiResolution(64)
-    sphere.Update()
     locator = vtkSkdTreeCellLocator()
-    locator.SetDataSet(sphere.GetOutput())
+    locator.SetDataSet(skdtesting.sphere_mesh(64, radius))
     locator.BuildLocator()
     return locator
 

@@ -9,7 +9,6 @@ import sys
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import (vtkXMLImageDataReader, vtkXMLImageDataWriter,
     vtkXMLPolyDataReader, vtkXMLPolyDataWriter)
 
@@ -21,11 +20,7 @@ import inline_xml
 
 def sphere():
     """With a long array, one of no tuple, and one whose element has elements of its own."""
-    source = vtkSphereSource()
-    source.SetThetaResolution(100)
-    source.SetPhiResolution(100)
-    source.Update()
-    mesh = source.GetOutput()
+    mesh = skdtesting.sphere_mesh(100)
     random = numpy.random.default_rng(5)
     for name, values in (("Noise", random.random(mesh.GetNumberOfPoints())), ("None", [])):
         array = numpy_to_vtk(numpy.asarray(values, dtype=float), deep=True)

@@ -13,8 +13,10 @@ import numpy
 import vtkskdtree
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkskdtree import Tree, vtkSkdTreeBooleanOperation
+
+import skdtesting
 
 warnings.simplefilter("error")
 
@@ -39,12 +41,7 @@ def cube(low, high):
 
 
 def ball(radius=1.0):
-    source = vtkSphereSource()
-    source.SetRadius(radius)
-    source.SetThetaResolution(32)
-    source.SetPhiResolution(32)
-    source.Update()
-    return source.GetOutput()
+    return skdtesting.sphere_mesh(32, radius)
 
 
 def volume(mesh):

@@ -4,7 +4,6 @@
 
 import numpy
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, so that there are windows
-from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkCellPicker, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow)
@@ -71,16 +70,8 @@ def test_picks_on_a_surface_are_the_same():
     assert_same_picks(reader.GetOutput(), random.uniform(80, 220, (400, 2)))
 
 
-def sphere(resolution):
-    source = vtkSphereSource()
-    source.SetThetaResolution(resolution)
-    source.SetPhiResolution(resolution)
-    source.Update()
-    return source.GetOutput()
-
-
 def test_picks_in_a_million_cells_are_the_same():
-    mesh = sphere(720)
+    mesh = skdtesting.sphere_mesh(720)
     assert mesh.GetNumberOfCells() > 1000000
     pixels = numpy.random.default_rng(2).uniform(90, 210, (2, 2))
     assert_same_picks(mesh, pixels)

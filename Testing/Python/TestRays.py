@@ -9,7 +9,6 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TRIANGLE, vtkImageData, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkskdtree import Tree, vtkSkdTreeRays
 
 import skdtesting
@@ -71,15 +70,6 @@ def cast(mesh, source, **properties):
     return rays.GetOutputDataObject(0), "".join(texts)
 
 
-def sphere_mesh(radius):
-    source = vtkSphereSource()
-    source.SetRadius(radius)
-    source.SetThetaResolution(24)
-    source.SetPhiResolution(24)
-    source.Update()
-    return source.GetOutput()
-
-
 def with_array(mesh, values):
     copy = mesh.NewInstance()
     copy.ShallowCopy(mesh)
@@ -94,14 +84,14 @@ def distances(output):
 
 
 def test_too_few_directions_are_refused():
-    mesh = with_array(sphere_mesh(1), numpy.ones((3, 3)))
-    output, text = cast(mesh, sphere_mesh(2), Along=vtkSkdTreeRays.ARRAY, DirectionArray="array")
+    mesh = with_array(skdtesting.sphere_mesh(24, 1), numpy.ones((3, 3)))
+    output, text = cast(mesh, skdtesting.sphere_mesh(24, 2), Along=vtkSkdTreeRays.ARRAY, DirectionArray="array")
     assert "array has 3 tuples for" in text and "no point array" in text, text
     assert numpy.isnan(distances(output)).all()
 
 
 def test_towards_positions_and_the_nearest_point():
-    inner, outer = sphere_mesh(1), sphere_mesh(2)
+    inner, outer = skdtesting.sphere_mesh(24, 1), skdtesting.sphere_mesh(24, 2)
     corners = vtk_to_numpy(outer.GetPoints().GetData()).astype(float)
     gaps = numpy.linalg.norm(corners - vtk_to_numpy(inner.GetPoints().GetData()), axis=1)
     output, text = cast(with_array(inner, corners), outer, Along=vtkSkdTreeRays.TO_POSITIONS,
@@ -119,7 +109,7 @@ def test_normals_of_volumes_and_of_nodes_on_edges():
     image = vtkImageData()
     image.SetDimensions(3, 3, 3)
     image.SetOrigin(-1, -1, -1)
-    output, text = cast(image, sphere_mesh(9))
+    output, text = cast(image, skdtesting.sphere_mesh(24, 9))
     assert not text and numpy.isnan(distances(output)).nonzero()[0].tolist() == [13]
     curved = vtkUnstructuredGrid()
     points = vtkPoints()
@@ -127,7 +117,7 @@ def test_normals_of_volumes_and_of_nodes_on_edges():
         points.InsertNextPoint(point)
     curved.SetPoints(points)
     curved.InsertNextCell(VTK_QUADRATIC_TRIANGLE, 6, range(6))
-    output, text = cast(curved, sphere_mesh(9))
+    output, text = cast(curved, skdtesting.sphere_mesh(24, 9))
     assert not text and (distances(output) > 8).all()
 
 

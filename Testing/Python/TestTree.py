@@ -22,17 +22,15 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkskdtree import (Locator, Tree, vtkSkdTreeCellLocator, vtkSkdTreeClosestPoint, vtkSkdTreePointInOut,
     vtkSkdTreeRays)
 
+import skdtesting
+
 random = numpy.random.default_rng(17)
 POINTS = random.uniform(-1, 1, (3000, 3))
 POINTS[7, 1] = numpy.nan
 
 
 def sphere(radius=0.5):
-    source = vtkSphereSource()
-    source.SetRadius(radius)
-    source.SetThetaResolution(48)
-    source.SetPhiResolution(48)
-    return source
+    return skdtesting.sphere_source(48, radius)
 
 
 def grid():

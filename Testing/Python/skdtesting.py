@@ -59,6 +59,22 @@ def assert_trees_are_kept(proxy, trees, **change):
     assert report(proxy, "TreesBuilt") == 0
 
 
+def sphere_source(resolution, radius=0.5):
+    """A source of VTK, with so many triangles along the equator and from pole to pole."""
+    from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+    source = vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
+    source.Update()
+    return source
+
+
+def sphere_mesh(resolution, radius=0.5):
+    return sphere_source(resolution, radius).GetOutput()
+
+
 def assert_same(first, second):
     """The same values, bit by bit."""
     numpy.testing.assert_array_equal(first, second)

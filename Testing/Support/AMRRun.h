@@ -11,6 +11,7 @@
 #include "Support/MeshBuilder.h"
 #include "Support/Reported.h"
 #include "Support/SurfaceMeshes.h"
+#include "Support/ValuesOf.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -55,16 +56,6 @@ inline Bounds OddBounds(vtkDataSet* data)
   const double by = Diagonal(box);
   return { box[0] - 0.0371 * by, box[1] + 0.0873 * by, box[2] - 0.1171 * by, box[3] + 0.0311 * by,
     box[4] - 0.0593 * by, box[5] + 0.0719 * by };
-}
-
-inline std::vector<double> ValuesOf(vtkDataArray* array)
-{
-  std::vector<double> values;
-  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
-  {
-    values.push_back(array->GetVariantValue(i).ToDouble());
-  }
-  return values;
 }
 
 /// The numbers of a report after an update; empty if there are none.

@@ -10,6 +10,7 @@
 #define skdtest_BoxReference_h
 
 #include "Support/CellShape.h"
+#include "Support/ClippedWhere.h"
 
 #include "vtkGenericCell.h"
 
@@ -26,22 +27,13 @@ inline std::vector<Point> ClippedBy(const Bounds& box, std::vector<Point> polygo
     const int axis = side / 2;
     const auto height = [&](const Point& p)
     { return side % 2 ? box[side] - p[axis] : p[axis] - box[side]; };
-    std::vector<Point> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-    {
-      const Point& p = polygon[i];
-      const Point& q = polygon[(i + 1) % polygon.size()];
-      if (height(p) >= 0)
+    polygon = ClippedWhere(polygon, height,
+      [&](const Point& p, const Point& q, double t)
       {
-        kept.push_back(p);
-      }
-      if ((height(p) > 0 && height(q) < 0) || (height(p) < 0 && height(q) > 0))
-      {
-        kept.push_back(Lerp(p, q, height(p) / (height(p) - height(q))));
-        kept.back()[axis] = box[side];
-      }
-    }
-    polygon = kept;
+        Point crossing = Lerp(p, q, t);
+        crossing[axis] = box[side];
+        return crossing;
+      });
   }
   return polygon;
 }

@@ -8,6 +8,7 @@
 #define skdtest_ClosestPointRun_h
 
 #include "Support/FilterRun.h"
+#include "Support/MakeOf.h"
 
 #include "vtkSkdTreeClosestPoint.h"
 
@@ -18,10 +19,7 @@ using FilterPointer = vtkSmartPointer<vtkSkdTreeClosestPoint>;
 
 inline FilterPointer MakeFilter(vtkDataObject* input, vtkDataObject* source)
 {
-  auto filter = FilterPointer::New();
-  filter->SetInputDataObject(0, input);
-  filter->SetSourceData(source);
-  return filter;
+  return MakeOf<vtkSkdTreeClosestPoint>(input, source);
 }
 
 inline FilterPointer MakeSignedFilter(vtkDataObject* input, vtkDataObject* source)

@@ -7,8 +7,10 @@
 #ifndef skdtest_CurveRun_h
 #define skdtest_CurveRun_h
 
+#include "Support/MakeOf.h"
 #include "Support/MeshBuilder.h"
 #include "Support/Reported.h"
+#include "Support/ValuesOf.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDoubleArray.h"
@@ -180,13 +182,7 @@ inline GridPointer BezierSphere(double radius)
 template <class Filter>
 vtkSmartPointer<Filter> MakeCurveFilter(vtkDataObject* curves, vtkDataObject* others = nullptr)
 {
-  auto filter = vtkSmartPointer<Filter>::New();
-  filter->SetInputDataObject(0, curves);
-  if (others)
-  {
-    filter->SetSourceData(others);
-  }
-  return filter;
+  return MakeOf<Filter>(curves, others);
 }
 
 /// A point array of a filter's output after an update, all components in a row.
@@ -194,13 +190,7 @@ inline std::vector<double> OutputArray(vtkAlgorithm* filter, const std::string& 
 {
   filter->Update();
   auto* data = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(port));
-  vtkDataArray* array = data->GetPointData()->GetArray(name.c_str());
-  std::vector<double> values;
-  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
-  {
-    values.push_back(array->GetVariantValue(i).ToDouble());
-  }
-  return values;
+  return ValuesOf(data->GetPointData()->GetArray(name.c_str()));
 }
 
 inline std::vector<double> OutputCellArray(
@@ -208,13 +198,7 @@ inline std::vector<double> OutputCellArray(
 {
   filter->Update();
   auto* data = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(port));
-  vtkDataArray* array = data->GetCellData()->GetArray(name.c_str());
-  std::vector<double> values;
-  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
-  {
-    values.push_back(array->GetVariantValue(i).ToDouble());
-  }
-  return values;
+  return ValuesOf(data->GetCellData()->GetArray(name.c_str()));
 }
 
 inline std::vector<Point> OutputPoints(vtkAlgorithm* filter, int port = 0)

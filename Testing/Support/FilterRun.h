@@ -9,6 +9,7 @@
 
 #include "Support/MeshBuilder.h"
 #include "Support/Reported.h"
+#include "Support/ValuesOf.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
@@ -51,13 +52,7 @@ inline std::vector<Point> RandomQueries(vtkDataSet* source, int count, int seed 
 /// A point array, or an empty list when there is none.
 inline std::vector<double> PointArray(vtkDataObject* data, const char* name)
 {
-  vtkDataArray* array = vtkDataSet::SafeDownCast(data)->GetPointData()->GetArray(name);
-  std::vector<double> values;
-  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
-  {
-    values.push_back(array->GetVariantValue(i).ToDouble());
-  }
-  return values;
+  return ValuesOf(vtkDataSet::SafeDownCast(data)->GetPointData()->GetArray(name));
 }
 
 inline vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<vtkDataObject*>& meshes)
@@ -99,6 +94,22 @@ inline Mesh Part(const Mesh& mesh, const std::function<bool(std::size_t)>& isWan
   return part;
 }
 
+/// Sources in which nothing can be found.
+struct NoSources
+{
+  vtkNew<vtkPolyData> Empty;
+  PolyDataPointer NotFinite = [] // a mesh with points that are warned about
+  {
+    Mesh mesh;
+    const Point nowhere{ std::nan(""), 0, 0 };
+    mesh.Add(VTK_TRIANGLE, { mesh.Add(nowhere), mesh.Add(nowhere), mesh.Add(nowhere) });
+    return MakePolyData(mesh);
+  }();
+  vtkSmartPointer<vtkMultiBlockDataSet> Blocks = MakeBlocks({ nullptr, this->Empty });
+
+  std::vector<vtkDataObject*> All() const { return { this->Empty, this->NotFinite, this->Blocks }; }
+};
+
 inline double Linear(const Point& p)
 {
   return 3.0 * p[0] - 2.0 * p[1] + 0.5 * p[2] + 7.0;
@@ -118,9 +129,9 @@ vtkSmartPointer<Array> MakeArray(
   return array;
 }
 
-/// Point data "Linear" and "LinearInt", cell data "Number": ten times the cell's id.
-template <typename Pointer>
-Pointer WithData(Pointer mesh)
+/// Adds Linear() at the points as point data.
+template <typename Array = vtkDoubleArray>
+void AddLinear(vtkDataSet* mesh, const char* name)
 {
   const auto linear = [&](vtkIdType i)
   {
@@ -128,10 +139,16 @@ Pointer WithData(Pointer mesh)
     mesh->GetPoint(i, p.data());
     return Linear(p);
   };
+  mesh->GetPointData()->AddArray(MakeArray<Array>(name, mesh->GetNumberOfPoints(), linear));
+}
+
+/// Point data "Linear" and "LinearInt", cell data "Number": ten times the cell's id.
+template <typename Pointer>
+Pointer WithData(Pointer mesh)
+{
+  AddLinear(mesh, "Linear");
+  AddLinear<vtkIntArray>(mesh, "LinearInt");
   const auto number = [](vtkIdType i) { return 10.0 * i; };
-  const vtkIdType points = mesh->GetNumberOfPoints();
-  mesh->GetPointData()->AddArray(MakeArray("Linear", points, linear));
-  mesh->GetPointData()->AddArray(MakeArray<vtkIntArray>("LinearInt", points, linear));
   mesh->GetCellData()->AddArray(MakeArray<vtkIntArray>("Number", mesh->GetNumberOfCells(), number));
   return mesh;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LocatorOnMesh.h
- * @brief the fixture of tests of the locator on each of the named meshes, against brute force
+ * @brief the fixtures of tests of the locator on each of the named meshes
  */
 #ifndef skdtest_LocatorOnMesh_h
 #define skdtest_LocatorOnMesh_h
@@ -16,13 +16,27 @@
 namespace skdtest
 {
 
-class LocatorOnMesh : public testing::TestWithParam<NamedMesh>
+/// A named mesh with its locator.
+class BuiltLocator : public testing::TestWithParam<NamedMesh>
+{
+protected:
+  BuiltLocator()
+    : Data(GetParam().Make())
+    , Locator(MakeLocator(this->Data))
+  {
+    this->Data->GetBounds(this->Box.data());
+  }
+
+  DataSetPointer Data;
+  LocatorPointer Locator;
+  Bounds Box;
+};
+
+class LocatorOnMesh : public BuiltLocator
 {
 protected:
   LocatorOnMesh()
-    : Data(GetParam().Make())
-    , Locator(MakeLocator(this->Data))
-    , Reference(this->Data)
+    : Reference(this->Data)
   {
   }
 
@@ -35,8 +49,6 @@ protected:
     return { through - along, through + along };
   }
 
-  DataSetPointer Data;
-  LocatorPointer Locator;
   BruteForce Reference;
 };
 

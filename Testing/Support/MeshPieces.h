@@ -50,17 +50,11 @@ inline Mesh Compact(const Mesh& mesh)
   return compact;
 }
 
-/// Cells numbered by their places, so that the number is the same in every piece.
+/// Cells numbered by their positions, so that the number is the same in every piece.
 template <class Pointer>
 Pointer WithValues(Pointer mesh)
 {
-  const auto linear = [&](vtkIdType i)
-  {
-    Point p;
-    mesh->GetPoint(i, p.data());
-    return Linear(p);
-  };
-  mesh->GetPointData()->AddArray(MakeArray("Linear", mesh->GetNumberOfPoints(), linear));
+  AddLinear(mesh, "Linear");
   const auto bounds = [&](vtkIdType i)
   {
     double box[6];

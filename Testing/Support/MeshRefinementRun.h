@@ -37,13 +37,7 @@ inline vtkDataSet* RunRefinement(vtkSkdTreeMeshRefinement* filter)
 
 inline std::vector<double> CellValues(vtkDataSet* mesh, const char* name)
 {
-  vtkDataArray* array = mesh->GetCellData()->GetArray(name);
-  std::vector<double> values;
-  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
-  {
-    values.push_back(array->GetVariantValue(i).ToDouble());
-  }
-  return values;
+  return ValuesOf(mesh->GetCellData()->GetArray(name));
 }
 
 /// A polyline around a corner of the unit cube.

@@ -75,6 +75,14 @@ inline void Extend(Bounds& box, const Point& p)
   }
 }
 
+inline Bounds BoxOf(const Point& a, const Point& b)
+{
+  Bounds box = EmptyBounds();
+  Extend(box, a);
+  Extend(box, b);
+  return box;
+}
+
 inline bool Overlap(const Bounds& a, const Bounds& b)
 {
   for (int axis = 0; axis < 3; ++axis)

@@ -9,6 +9,7 @@
 
 #include "Support/FetchCell.h"
 #include "Support/FilterRun.h"
+#include "Support/MakeOf.h"
 
 #include "vtkGenericCell.h"
 #include "vtkSkdTreeProbe.h"
@@ -21,10 +22,7 @@ using ProbePointer = vtkSmartPointer<vtkSkdTreeProbe>;
 
 inline ProbePointer MakeProbe(vtkDataObject* input, vtkDataObject* source)
 {
-  auto probe = ProbePointer::New();
-  probe->SetInputDataObject(0, input);
-  probe->SetSourceData(source);
-  return probe;
+  return MakeOf<vtkSkdTreeProbe>(input, source);
 }
 
 inline std::vector<double> ProbeArray(vtkSkdTreeProbe* probe, const char* name)
@@ -80,16 +78,6 @@ inline PolyDataPointer MakeLine(const std::vector<Point>& points)
   return MakePolyData(mesh);
 }
 
-inline std::vector<double> ColumnOf(vtkDataArray* array)
-{
-  std::vector<double> values;
-  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
-  {
-    values.push_back(array->GetVariantValue(i).ToDouble());
-  }
-  return values;
-}
-
 /// The segments of lines in the second output, after an update.
 struct Intervals
 {
@@ -102,11 +90,11 @@ struct Intervals
     probe->Update();
     auto* output = vtkPolyData::SafeDownCast(probe->GetOutputDataObject(1));
     vtkCellData* data = output->GetCellData();
-    this->Cells = ColumnOf(data->GetArray("SkdSourceCellId"));
-    this->Lines = ColumnOf(data->GetArray("SkdInputCellId"));
-    this->Entries = ColumnOf(data->GetArray("SkdEntry"));
-    this->Exits = ColumnOf(data->GetArray("SkdExit"));
-    this->Lengths = ColumnOf(data->GetArray("SkdLength"));
+    this->Cells = ValuesOf(data->GetArray("SkdSourceCellId"));
+    this->Lines = ValuesOf(data->GetArray("SkdInputCellId"));
+    this->Entries = ValuesOf(data->GetArray("SkdEntry"));
+    this->Exits = ValuesOf(data->GetArray("SkdExit"));
+    this->Lengths = ValuesOf(data->GetArray("SkdLength"));
     for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
     {
       output->GetPoint(2 * i, this->From.emplace_back().data());
@@ -119,7 +107,7 @@ struct Intervals
 inline std::vector<double> IntegralsOf(vtkSkdTreeProbe* probe, const char* name)
 {
   auto* table = vtkTable::SafeDownCast(probe->GetOutputDataObject(2));
-  return ColumnOf(vtkDataArray::SafeDownCast(table->GetColumnByName(name)));
+  return ValuesOf(vtkDataArray::SafeDownCast(table->GetColumnByName(name)));
 }
 
 }

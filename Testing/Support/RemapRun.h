@@ -8,6 +8,7 @@
 #define skdtest_RemapRun_h
 
 #include "Support/FilterRun.h"
+#include "Support/MakeOf.h"
 
 #include "vtkSkdTreeRemap.h"
 #include "vtkTable.h"
@@ -19,21 +20,9 @@ using RemapPointer = vtkSmartPointer<vtkSkdTreeRemap>;
 
 inline RemapPointer MakeRemap(vtkDataObject* input, vtkDataObject* source, int method)
 {
-  auto remap = RemapPointer::New();
-  remap->SetInputDataObject(0, input);
-  remap->SetSourceData(source);
+  RemapPointer remap = MakeOf<vtkSkdTreeRemap>(input, source);
   remap->SetMethod(method);
   return remap;
-}
-
-inline std::vector<double> ValuesOf(vtkDataArray* array)
-{
-  std::vector<double> values;
-  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
-  {
-    values.push_back(array->GetVariantValue(i).ToDouble());
-  }
-  return values;
 }
 
 /// A cell array of the first output after an update; empty if there is none.
