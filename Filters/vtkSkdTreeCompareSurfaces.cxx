@@ -3,10 +3,12 @@
 #include "vtkSkdTreeCompareSurfaces.h"
 
 #include "Bodies/SkdOuterSurface.h"
+#include "Exchange/SkdFilterInputs.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
 #include "Search/Compare/SkdComparison.h"
 #include "vtkInformation.h"
@@ -34,9 +36,17 @@ namespace
 {
 constexpr const char* PortNames[] = { "Input", "Source" };
 
-void WarnAbout(vtkSkdTreeCompareSurfaces* self, const SkdComparedInput& input, int port)
+/// The first process, of what any of them has.
+void WarnAbout(
+  vtkSkdTreeCompareSurfaces* self, const SkdComparedInput& input, int port, const SkdReduction& all)
 {
   const SkdComparedSet& set = input.Set;
+  const auto coarse =
+    static_cast<vtkIdType>(all.Largest(static_cast<double>(set.GetNumberOfCoarseFaces())));
+  if (all.GetRank() > 0)
+  {
+    return;
+  }
   if (set.IsEmpty())
   {
     vtkWarningWithObjectMacro(
@@ -53,7 +63,7 @@ void WarnAbout(vtkSkdTreeCompareSurfaces* self, const SkdComparedInput& input, i
                                     << set.GetNumberOfOpenEdges()
                                     << " open edges. Signs may be wrong near gaps.");
   }
-  SkdWarnAboutCoarseFaces(self, set.GetNumberOfCoarseFaces(), self->GetChordalDeviation());
+  SkdWarnAboutCoarseFaces(self, coarse, self->GetChordalDeviation());
 }
 
 /// The diagonal of the bounds of both, and the largest coordinate.
@@ -110,29 +120,31 @@ void EmptyAll(const std::vector<SkdBlock>& blocks)
   }
 }
 
-/// Half of the progress each.
-void Compare(vtkSkdTreeCompareSurfaces* self, SkdComparison& comparison, const Size& size,
-  double first, double last)
+/// Half of the progress each. Returns whether it was aborted on no process.
+bool Compare(vtkSkdTreeCompareSurfaces* self, SkdComparison& comparison, const Size& size,
+  const SkdReduction& all, double first, double last)
 {
   const SkdComparedSet& from = comparison.From->Set;
   const SkdComparedSet& to = comparison.To->Set;
-  if (from.IsEmpty() || to.IsEmpty())
+  if (all.IsAny(from.IsEmpty() || to.IsEmpty())) // then on all
   {
-    return;
+    return true;
   }
   const double middle = (first + last) / 2.0;
   const SkdHausdorffLimits limits = LimitsOf(self, size);
-  comparison.Hausdorff = SkdHausdorffOf(from, to, limits, self, first, middle);
-  comparison.Samples.Add(from, to, SamplingOf(self, size), self, middle, last);
+  comparison.Hausdorff = SkdHausdorffOf(from, to, limits, all, self, first, middle);
+  const bool isWhole =
+    comparison.Samples.Add(from, to, SamplingOf(self, size), all, self, middle, last);
 
   const SkdHausdorff& found = comparison.Hausdorff;
-  if (found.UpperBound > found.Distance + limits.Tolerance && !SkdIsAborted(self))
+  if (found.UpperBound > found.Distance + limits.Tolerance && isWhole && all.GetRank() == 0)
   {
     vtkWarningWithObjectMacro(self,
       "The Hausdorff distance is only known to be between "
         << found.Distance << " and " << found.UpperBound << ": the maximum of " << limits.Bisections
         << " bisections was reached. Increase MaximumBisections or Tolerance.");
   }
+  return isWhole;
 }
 
 void Report(vtkDataObject* output, const std::array<SkdComparedInput, 2>& inputs,
@@ -158,6 +170,7 @@ vtkSkdTreeCompareSurfaces::vtkSkdTreeCompareSurfaces()
   , Impl(new Internals)
 {
   this->WholeInput = true; // the largest distance may be anywhere in either
+  this->Inputs->SetMutual([this](SkdSearchRange& range) { return this->FindRange(range); });
 }
 
 vtkSkdTreeCompareSurfaces::~vtkSkdTreeCompareSurfaces() = default;
@@ -174,31 +187,51 @@ int vtkSkdTreeCompareSurfaces::RequestDataObject(
   return done;
 }
 
+// The nearest to each place of an own face, and that face. What is inside depends on all faces.
+bool vtkSkdTreeCompareSurfaces::FindRange(SkdSearchRange& range)
+{
+  range.WithOwn = true;
+  range.WithNearest = true;
+  range.IsOfFaces = true;
+  range.IsMutual = true;
+  return !this->SignedDistance;
+}
+
+// The set of each input that this process has of it, and the output, of its own piece.
+std::vector<SkdBlock> vtkSkdTreeCompareSurfaces::Prepare(
+  int port, vtkInformationVector* inputs, vtkDataObject* output, const SkdReduction& all)
+{
+  SkdComparedInput& input = this->Impl->Inputs[port];
+  vtkDataObject* data = vtkDataObject::GetData(inputs);
+  vtkDataObject* piece = all.GetNumberOfProcesses() > 1 ? this->Inputs->GetPiece(port) : data;
+  input.Blocks = SkdBlocksOf(data);
+  input.IsComposite = SkdIsComposite(data);
+  input.Set.Update(input.Blocks, this->SignedDistance, this->Epsilon, this->ChordalDeviation, all);
+  WarnAbout(this, input, port, all);
+  return SkdMirror(piece, output);
+}
+
 int vtkSkdTreeCompareSurfaces::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   SkdStopwatch watch;
-  const bool isLater = SkdIsLaterPiece(outputVector->GetInformationObject(0));
+  vtkMultiProcessController* controller = SkdControllerOf(inputVector[0]->GetInformationObject(0));
+  if (!controller && SkdIsLaterPiece(outputVector->GetInformationObject(0)))
+  {
+    for (int port = 0; port < 2; ++port)
+    {
+      EmptyAll(SkdMirror(
+        vtkDataObject::GetData(inputVector[port]), vtkDataObject::GetData(outputVector, port)));
+    }
+    return 1; // the first piece has it all
+  }
+  const SkdReduction all(controller);
   std::array<SkdComparedInput, 2>& inputs = this->Impl->Inputs;
   std::array<std::vector<SkdBlock>, 2> outputs;
   for (int port = 0; port < 2; ++port)
   {
-    vtkDataObject* data = vtkDataObject::GetData(inputVector[port]);
-    outputs[port] = SkdMirror(data, vtkDataObject::GetData(outputVector, port));
-    if (isLater)
-    {
-      EmptyAll(outputs[port]);
-      continue;
-    }
-    inputs[port].Blocks = SkdBlocksOf(data);
-    inputs[port].IsComposite = SkdIsComposite(data);
-    inputs[port].Set.Update(
-      inputs[port].Blocks, this->SignedDistance, this->Epsilon, this->ChordalDeviation);
-    WarnAbout(this, inputs[port], port);
-  }
-  if (isLater)
-  {
-    return 1; // the first process has it all
+    outputs[port] =
+      this->Prepare(port, inputVector[port], vtkDataObject::GetData(outputVector, port), all);
   }
   const double buildSeconds = watch.Lap();
 
@@ -208,11 +241,11 @@ int vtkSkdTreeCompareSurfaces::RequestData(
   const Size size(inputs);
   std::array<SkdComparison, 2> comparisons{ { { &inputs[0], &inputs[1], {}, {} },
     { &inputs[1], &inputs[0], {}, {} } } };
-  Compare(this, comparisons[0], size, 0.3, 0.65);
-  Compare(this, comparisons[1], size, 0.65, 1.0);
-  if (!SkdIsAborted(this)) // parts of sums and bounds would pass for the whole
+  const bool isWhole = Compare(this, comparisons[0], size, all, 0.3, 0.65) &&
+    Compare(this, comparisons[1], size, all, 0.65, 1.0);
+  if (!all.IsAny(!isWhole || SkdIsAborted(this))) // parts of sums would pass for the whole
   {
-    SkdFillComparison(comparisons, vtkTable::GetData(outputVector, 2));
+    SkdFillComparison(comparisons, all, vtkTable::GetData(outputVector, 2));
   }
 
   Report(vtkDataObject::GetData(outputVector, 0), inputs, comparisons, buildSeconds, watch.Lap());

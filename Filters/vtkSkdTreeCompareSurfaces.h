@@ -50,8 +50,15 @@
  * SkdReportChordalLength for curved cells.
  *
  * Bad input: an Input or Source without any finite point gives one warning, "none" and NaN. Cells
- * that are not finite are left out. An aborted execution leaves the table empty. Each process
- * needs both inputs as a whole; of several, the first computes all and has all outputs.
+ * that are not finite are left out. An aborted execution leaves the table empty.
+ *
+ * Several processes: each has the arrays of its own pieces, and bisects and samples its share of
+ * the triangles; the first has the table, which is that of one process: locations and quantiles are
+ * the same, and so are sums but for rounding. With SourceDistribution exchanged a process has of
+ * both meshes the cells of its own piece, and those that may be nearest to its own piece of the
+ * other; surfaces that are far from each other, compared with the boxes of a 64th of a piece, bring
+ * more. All is gathered on each process, but the work still shared, with SignedDistance, because
+ * all faces decide what is inside, and where some cells are no faces, or points are of no cell.
  *
  * @sa
  * vtkSkdTreeClosestPoint
@@ -66,6 +73,13 @@
 #include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
+#include <vector> // For std::vector
+
+namespace skdtree
+{
+class SkdReduction;
+struct SkdBlock;
+}
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -138,6 +152,10 @@ protected:
   bool SignedDistance = false;
 
 private:
+  bool FindRange(skdtree::SkdSearchRange& range);
+  std::vector<skdtree::SkdBlock> Prepare(int port, vtkInformationVector* inputs,
+    vtkDataObject* output, const skdtree::SkdReduction& all);
+
   vtkSkdTreeCompareSurfaces(const vtkSkdTreeCompareSurfaces&) = delete;
   void operator=(const vtkSkdTreeCompareSurfaces&) = delete;
 

@@ -33,8 +33,9 @@ bool Fit(vtkDataObject* piece, vtkDataObject* own, vtkMultiProcessController* co
 {
   const bool mayBeOnSphere = range.Directions == SkdByDirections::OnSpheres ||
     range.IsNotForSpheres || range.IsOfNearSurfaces;
-  const int here[] = { SkdIsUnfit(piece, range) ? 1 : 0,
-    mayBeOnSphere && own && SkdIsOnSphere(own) ? 1 : 0,
+  const bool isUnfit =
+    SkdIsUnfit(piece, range) || (range.IsMutual && own && SkdIsUnfit(own, range));
+  const int here[] = { isUnfit ? 1 : 0, mayBeOnSphere && own && SkdIsOnSphere(own) ? 1 : 0,
     range.IsOfNearSurfaces && own && SkdHasVolumeCells(SkdBlocksOf(own)) ? 1 : 0 };
   int anywhere[] = { 0, 0, 0 };
   controller->AllReduce(here, anywhere, 3, vtkCommunicator::MAX_OP);
@@ -75,11 +76,17 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
   const SkdValidInput valid(this->Filter, request, inputs, this->AnyMagnitude);
   std::vector<vtkSmartPointer<vtkInformationVector>> retained;
   std::vector<vtkInformationVector*> whole;
+  this->Pieces.clear();
+  for (int port = 0; port < this->Filter->GetNumberOfInputPorts(); ++port)
+  {
+    this->Pieces.emplace_back(vtkDataObject::GetData(valid.Get()[port]));
+  }
   for (int port = 0; port < this->Filter->GetNumberOfInputPorts(); ++port)
   {
     retained.push_back(vtkSmartPointer<vtkInformationVector>::New());
     retained.back()->Copy(valid.Get()[port]);
-    this->GatherInto(retained.back(), port, vtkDataObject::GetData(retained.front()));
+    this->GatherInto(retained.back(), port,
+      this->FindMutual ? this->GetPiece(1 - port) : vtkDataObject::GetData(retained.front()));
     whole.push_back(retained.back());
   }
   if (!this->CheckGlobalIds())
@@ -87,6 +94,7 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
     return 0;
   }
   const int result = process(whole.data());
+  this->Pieces.clear(); // or their data would stay
   valid.Report(outputs);
   this->Report(outputs);
   return result;
@@ -139,13 +147,18 @@ vtkDataObject* SkdFilterInputs::Gather(vtkDataObject* piece, std::pair<int, int>
   return this->Nearby[slot].Update(*transport, piece, own, range);
 }
 
+bool SkdFilterInputs::FindRange(int port, SkdSearchRange& range) const
+{
+  return this->FindMutual ? this->FindMutual(range) : this->Find && this->Find(port, range);
+}
+
 // The same on all processes.
 bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, vtkDataObject* own, int port,
   SkdTransport* transport, SkdSearchRange& range, vtkMultiProcessController* controller) const
 {
-  const bool canExchange =
-    (this->Asks && this->Asks(port)) || (this->Find && this->Find(port, range));
-  if (this->Wanted == Distribution::Replicated || !canExchange || !SkdCanBring(piece))
+  const bool canExchange = (this->Asks && this->Asks(port)) || this->FindRange(port, range);
+  if (this->Wanted == Distribution::Replicated || !canExchange || !SkdCanBring(piece) ||
+    (range.IsMutual && !(own && SkdCanBring(own))))
   {
     return false;
   }
@@ -163,7 +176,8 @@ bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, vtkDataObject* own, int 
     }
     return false;
   }
-  const unsigned long size = piece->GetActualMemorySize(); // in units of 1024 bytes
+  const unsigned long size = piece->GetActualMemorySize() +
+    (range.IsMutual ? own->GetActualMemorySize() : 0); // in units of 1024 bytes
   unsigned long all = 0;
   controller->AllReduce(&size, &all, 1, vtkCommunicator::SUM_OP);
   return this->Wanted == Distribution::Exchanged || all > LargestReplicated;

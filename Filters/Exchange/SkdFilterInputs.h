@@ -55,6 +55,13 @@ public:
     this->Find = std::move(find);
   }
 
+  /// For filters that need of both inputs, each near what a process has of the other, the cells in
+  /// a range (SkdSearchRange::IsMutual), as long as `find` says so: both are distributed alike.
+  void SetMutual(std::function<bool(SkdSearchRange& range)> find)
+  {
+    this->FindMutual = std::move(find);
+  }
+
   /// Of which inputs that are needed as a whole the filter asks the processes that have the pieces:
   /// each process gets the cells of its own piece.
   void SetAsks(IsWhole asks) { this->Asks = std::move(asks); }
@@ -75,6 +82,10 @@ public:
   /// gathered; where the output's pieces are not those of the processes, the whole.
   void RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) const;
+
+  /// In this REQUEST_DATA, what this process has of an input: what `process` gets if it is not
+  /// needed as a whole.
+  vtkDataObject* GetPiece(int port) const { return this->Pieces[static_cast<std::size_t>(port)]; }
 
   /// How an input was gathered in this REQUEST_DATA; nullptr if it was not.
   const SkdWholeInput* GetWhole(int port) const;
@@ -101,6 +112,7 @@ private:
   void GatherInto(vtkInformationVector* inputs, int port, vtkDataObject* own);
   vtkDataObject* Gather(vtkDataObject* piece, std::pair<int, int> slot, vtkDataObject* own,
     vtkMultiProcessController* controller);
+  bool FindRange(int port, SkdSearchRange& range) const;
   bool IsExchanged(vtkDataObject* piece, vtkDataObject* own, int port, SkdTransport* transport,
     SkdSearchRange& range, vtkMultiProcessController* controller) const;
   SkdRepeatedId FindRepeatedId() const;
@@ -112,7 +124,9 @@ private:
   bool AnyMagnitude = false;
   Distribution Wanted = Distribution::Replicated;
   FindSearchRange Find;
+  std::function<bool(SkdSearchRange& range)> FindMutual;
   IsWhole Asks;
+  std::vector<vtkSmartPointer<vtkDataObject>> Pieces;   // by port, during a REQUEST_DATA
   std::map<std::pair<int, int>, SkdWholeInput> Whole;   // by port and connection
   std::map<std::pair<int, int>, SkdNearbyInput> Nearby; // the same
   std::map<std::pair<int, int>, SpreadInput> Spread;

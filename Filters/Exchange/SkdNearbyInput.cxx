@@ -10,6 +10,7 @@
 #include "vtkCellData.h"
 #include "vtkDataObjectTree.h"
 #include "vtkFieldData.h"
+#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -174,6 +175,58 @@ bool IsIncomplete(vtkDataObject* piece, bool withValues)
     });
 }
 
+/// Whether cells have three corners that differ; those of a strip all do.
+bool IsFace(const SkdCellReader& reader, vtkIdType cell, vtkIdList* list)
+{
+  std::size_t number = 0;
+  std::size_t different = 0;
+  reader.VisitPoints(cell, list,
+    [&](const auto* ids, std::size_t size)
+    {
+      number = size;
+      for (std::size_t i = 0; i < size; ++i)
+      {
+        different += std::find(ids, ids + i, ids[i]) == ids + i ? 1 : 0;
+      }
+    });
+  return different > 2 && (different == number || reader.TypeOf(cell) != VTK_TRIANGLE_STRIP);
+}
+
+/// Whether a piece has something besides faces, all of which count.
+bool HasOtherThanFaces(vtkDataSet* mesh)
+{
+  constexpr int hidden = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  if ((mesh->GetNumberOfCells() == 0 && mesh->GetNumberOfPoints() > 0) ||
+    HasMarks(mesh->GetCellData(), hidden))
+  {
+    return true;
+  }
+  const SkdCellReader reader(mesh);
+  vtkNew<vtkIdList> list;
+  vtkNew<vtkGenericCell> cell;
+  int known = VTK_EMPTY_CELL;
+  bool areFaces = true;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells() && areFaces; ++i)
+  {
+    const int type = reader.TypeOf(i);
+    if (type != known)
+    {
+      cell->SetCellType(type);
+      known = type;
+      areFaces = type == VTK_EMPTY_CELL || cell->GetCellDimension() == 2;
+    }
+    areFaces = areFaces && (type == VTK_EMPTY_CELL || IsFace(reader, i, list));
+  }
+  return !areFaces;
+}
+
+bool AreOtherThanFaces(vtkDataObject* piece)
+{
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(piece);
+  return std::any_of(blocks.begin(), blocks.end(),
+    [](const SkdBlock& block) { return HasOtherThanFaces(block.Mesh); });
+}
+
 bool IsAny(SkdTransport& transport, bool here)
 {
   const auto all = SkdGatherRows(transport, std::vector<unsigned char>(1, here ? 1 : 0));
@@ -189,6 +242,7 @@ bool SkdCanBring(vtkDataObject* object)
 bool SkdIsUnfit(vtkDataObject* piece, const SkdSearchRange& range)
 {
   return (range.IsOfOneMesh && SkdIsComposite(piece)) ||
+    (range.IsOfFaces && AreOtherThanFaces(piece)) ||
     (range.IsOfSamples && IsIncomplete(piece, range.WithNearest));
 }
 

@@ -43,6 +43,13 @@ struct SkdSearchRange
   /// The searched mesh is to have no blocks.
   bool IsOfOneMesh = false;
 
+  /// Faces are what is searched: cells are not brought where some are no faces, or there are points
+  /// without cells.
+  bool IsOfFaces = false;
+
+  /// Both meshes are searched, each near what a process has of the other.
+  bool IsMutual = false;
+
   /// The cells of a process's own piece are wanted, too, wherever they are, for sums over all
   /// cells, and what the whole looks like: see SkdJoinedShape.
   bool WithOwn = false;
@@ -62,8 +69,8 @@ struct SkdSearchRange
   {
     return std::tie(this->Distance, this->OfDiagonal, this->OfOwnDiagonal, this->WithNeighbours,
       this->WithNearest, this->IsOfSamples, this->IsOfNearSurfaces, this->IsOfOneMesh,
-      this->WithOwn, this->Directions, this->IsOwnInDegrees, this->IsSearchedInDegrees,
-      this->IsNotForSpheres);
+      this->IsOfFaces, this->IsMutual, this->WithOwn, this->Directions, this->IsOwnInDegrees,
+      this->IsSearchedInDegrees, this->IsNotForSpheres);
   }
 
   bool operator==(const SkdSearchRange& other) const { return this->Tie() == other.Tie(); }

@@ -3,7 +3,7 @@
 #include "Remap/SkdConservativeRemap.h"
 
 #include "Cells/Read/SkdForEach.h"
-#include "Remap/SkdCompensatedSum.h"
+#include "Pipeline/SkdCompensatedSum.h"
 #include "Remap/SkdRemapTolerances.h"
 #include "vtkMath.h"
 

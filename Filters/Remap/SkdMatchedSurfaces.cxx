@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdMatchedSurfaces.h"
 
+#include "Pipeline/SkdCompensatedSum.h"
 #include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdLoop.h"
-#include "Remap/SkdCompensatedSum.h"
 #include "Remap/SkdRemapTolerances.h"
 
 #include "vtkDataSet.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdRemapTables.h"
 
+#include "Pipeline/SkdCompensatedSum.h"
 #include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdReport.h"
-#include "Remap/SkdCompensatedSum.h"
 #include "vtkIntArray.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"

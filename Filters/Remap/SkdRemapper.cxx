@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdRemapper.h"
 
+#include "Pipeline/SkdCompensatedSum.h"
 #include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdLonLat.h"
 #include "Pipeline/SkdMakeArray.h"
-#include "Remap/SkdCompensatedSum.h"
 #include "Remap/SkdContainedFields.h"
 #include "Remap/SkdLumpedPoints.h"
 #include "Remap/SkdMeshPoints.h"

@@ -23,7 +23,7 @@ import skdpieces
 EXCHANGED = {"closest", "closest data", "closest of both", "closest signed", "inside",
     "inside cells", "inside of blocks", "blocks", "data of blocks", "contour", "outer surface",
     "rays from outside", "all hits", "hits within a length", "in a mesh", "probe", "intersection",
-    "overlapping cells", "thickness of cells", "refined"}
+    "overlapping cells", "thickness of cells", "refined", "compared"}
 # Cases in which it turns out that pieces do not do.
 GATHERED = {"signed, bodies that overlap", "signed, open", "inside of open"}
 RUNS = {

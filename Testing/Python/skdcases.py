@@ -78,7 +78,11 @@ def cases(partition):
     yield "boolean", Case(
         simple.SkdTreeBooleanOperation(Input=ball, Source=other), [], of_cells=True)
     yield "compared", Case(simple.SkdTreeCompareSurfaces(Input=ball, Source=other),
-        ["HausdorffDistance", "Area"], port=2)
+        ["HausdorffDistance", "HausdorffUpperBound", "Mean", "MeanError", "RootMeanSquare",
+            "Median", "MedianError", "Quantile99", "Area", "Samples"], port=2)
+    yield "compared, signed", Case(
+        simple.SkdTreeCompareSurfaces(Input=cells, Source=other, SignedDistance=1),
+        ["SkdDistance", "SkdClosestPoint"])
     yield "intersection", Case(
         simple.SkdTreeSurfaceIntersection(Input=ball, Source=other, JoinCurves=0), [],
         of_cells=True)

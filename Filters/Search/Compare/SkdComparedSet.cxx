@@ -5,6 +5,7 @@
 #include "Bodies/SkdOuterSurface.h"
 #include "Cells/Read/SkdMagnitudes.h"
 #include "Core/Geometry/Distance/ClosestPoint.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeMesh.h"
 
 #include <algorithm>
@@ -20,8 +21,8 @@ bool IsUsable(const skd::Vector3& x)
 }
 }
 
-void SkdComparedSet::Update(
-  const std::vector<SkdBlock>& blocks, bool wantsSide, double epsilon, double chordalDeviation)
+void SkdComparedSet::Update(const std::vector<SkdBlock>& blocks, bool wantsSide, double epsilon,
+  double chordalDeviation, const SkdReduction& all)
 {
   this->Release();
   this->CoarseFaces = 0;
@@ -35,6 +36,7 @@ void SkdComparedSet::Update(
   {
     this->AddPoints(static_cast<int>(block), blocks[block].Mesh);
   }
+  this->FindOwn(blocks, all);
   this->TreesBuilt = this->Trees.Update({ { this->MakeMesh(), 0 } }, epsilon);
   if (wantsSide && this->Surface)
   {
@@ -64,9 +66,10 @@ void SkdComparedSet::AddFaces(int block, vtkDataSet* mesh)
     surface.GetPoint(i, this->Points[first + i].X);
   }
   FaceBuffers buffers;
+  const SkdJoinedIds joined(mesh);
   surface.ForEachFace(
     [&](vtkIdType cell, vtkIdType size, const auto* corners) {
-      this->AddFace(buffers, { block, surface.GetCellId(cell) }, first, size, corners);
+      this->AddFace(buffers, { block, joined.Of(surface.GetCellId(cell)) }, first, size, corners);
     });
   if (this->Elements.size() == facesBefore)
   {
@@ -111,6 +114,47 @@ void SkdComparedSet::AddPoints(int block, vtkDataSet* mesh)
       this->Origins.push_back({ block, i });
     }
   }
+}
+
+void SkdComparedSet::FindOwn(const std::vector<SkdBlock>& blocks, const SkdReduction& all)
+{
+  std::vector<std::vector<unsigned char>> own;
+  std::vector<SkdJoinedIds> joined;
+  bool isSpread = false;
+  for (const SkdBlock& block : blocks)
+  {
+    own.push_back(SkdOwnCellsOf(block.Mesh));
+    joined.emplace_back(block.Mesh);
+    isSpread = isSpread || !own.back().empty();
+  }
+  const auto number = static_cast<vtkIdType>(this->Elements.size());
+  this->FirstOwn = number * all.GetRank() / all.GetNumberOfProcesses();
+  this->NumberOfOwn = number * (all.GetRank() + 1) / all.GetNumberOfProcesses() - this->FirstOwn;
+  if (isSpread)
+  {
+    for (vtkIdType element = 0; element < number; ++element)
+    {
+      const Origin& origin = this->Origins[element];
+      if (own[origin.Block][joined[origin.Block].Find(origin.CellId)] != 0)
+      {
+        this->OwnElements.push_back(element);
+      }
+    }
+    this->NumberOfOwn = static_cast<vtkIdType>(this->OwnElements.size());
+  }
+}
+
+std::vector<unsigned char> SkdComparedSet::FindOwnPoints() const
+{
+  std::vector<unsigned char> isOwn(this->Points.size(), 0);
+  for (vtkIdType i = 0; i < this->NumberOfOwn; ++i)
+  {
+    for (const vtkIdType id : this->Elements[this->GetOwn(i)])
+    {
+      isOwn[id] = 1;
+    }
+  }
+  return isOwn;
 }
 
 vtkSmartPointer<vtkPolyData> SkdComparedSet::MakeMesh() const
@@ -163,6 +207,8 @@ void SkdComparedSet::Release()
   this->Points = {};
   this->Elements = {};
   this->Origins = {};
+  this->OwnElements = {};
+  this->NumberOfOwn = 0;
   this->Sided = false;
 }
 }

@@ -13,6 +13,7 @@
 #include "Core/Geometry/Vector.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdSourceTrees.h"
+#include "Search/Compare/SkdReduction.h"
 
 #include <optional>
 #include <vector>
@@ -22,16 +23,19 @@ namespace skdtree
 class SkdComparedSet
 {
 public:
-  /// Where an element comes from: an index in the list of blocks, and a cell there or, in a set of
-  /// points, a point.
+  /// Where an element comes from: an index in the list of blocks, and a cell of the whole (see
+  /// SkdJoinedIds) or, in a set of points, a point.
   using Origin = SkdBoundary::Origin;
 
   /// Reads all surface cells and outer faces of volume cells, as triangles; without any, the
   /// points, each an element whose three corners are the same. Builds the tree unless it is still
   /// valid, and with `wantsSide` what decides which points are inside. Points that are not finite
-  /// (see Cells/Read/SkdMagnitudes.h) are left out, and faces that have one.
-  void Update(
-    const std::vector<SkdBlock>& blocks, bool wantsSide, double epsilon, double chordalDeviation);
+  /// (see Cells/Read/SkdMagnitudes.h) are left out, and faces that have one. Each of several
+  /// processes has some elements of its own, which it is to look at: those of its own cells
+  /// (SkdOwnCellsOf) or, where all have the whole, as many as the others. Each element is so on one
+  /// process, and elements are in the same order on all.
+  void Update(const std::vector<SkdBlock>& blocks, bool wantsSide, double epsilon,
+    double chordalDeviation, const SkdReduction& all);
 
   /// Whether the elements are triangles.
   bool IsSurface() const { return this->Surface; }
@@ -44,6 +48,18 @@ public:
   {
     return this->Points[this->Elements[element][corner]];
   }
+
+  ///@{
+  /// The own elements, ascending.
+  vtkIdType GetNumberOfOwn() const { return this->NumberOfOwn; }
+  vtkIdType GetOwn(vtkIdType i) const
+  {
+    return this->OwnElements.empty() ? this->FirstOwn + i : this->OwnElements[i];
+  }
+  ///@}
+
+  /// For each point, 1 if an own element has it.
+  std::vector<unsigned char> FindOwnPoints() const;
 
   /// The nearest point and its element (CellId), ties to the lowest. Thread-safe.
   std::optional<SkdNearest> FindNearest(const skd::Vector3& x, double maximumDistance) const
@@ -91,11 +107,15 @@ private:
   void AddFace(FaceBuffers& buffers, const Origin& origin, vtkIdType first, vtkIdType size,
     const Corner* corners);
   void AddPoints(int block, vtkDataSet* mesh);
+  void FindOwn(const std::vector<SkdBlock>& blocks, const SkdReduction& all);
   vtkSmartPointer<vtkPolyData> MakeMesh() const;
 
   std::vector<skd::Vector3> Points;
   std::vector<SkdTriangleIds> Elements;
   std::vector<Origin> Origins;
+  std::vector<vtkIdType> OwnElements; // unless they follow each other
+  vtkIdType FirstOwn = 0;
+  vtkIdType NumberOfOwn = 0;
   bool Surface = false;
   SkdSourceTrees Trees;
   SkdSignedSource Side;

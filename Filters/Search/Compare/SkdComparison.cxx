@@ -61,6 +61,11 @@ void AddDistances(vtkDataSet* mesh, const SkdComparedInput& to, SkdLoop& loop)
 class Rows
 {
 public:
+  explicit Rows(const SkdReduction& all)
+    : All(all)
+  {
+  }
+
   void Add(const char* direction, const SkdComparison& comparison, const SkdHausdorff& bounds,
     const SkdDistanceSamples& samples);
   void MoveTo(vtkTable* table);
@@ -77,10 +82,11 @@ private:
     this->AddNumber(name.c_str(), statistic.Value);
     this->AddNumber((name + "Error").c_str(), statistic.Error);
   }
-  void AddLocation(
-    const std::string& name, const SkdComparedInput& input, const skd::Vector3& x, vtkIdType at);
+  void AddLocation(const std::string& name, const SkdComparedInput& input, const skd::Vector3& x,
+    const SkdComparedSet::Origin& origin);
   void AddStatistics(const SkdDistanceSamples& samples, bool isSigned);
 
+  const SkdReduction& All;
   vtkNew<vtkFieldData> Columns; // of a table, which would want all to be as long
 };
 
@@ -102,14 +108,12 @@ void Rows::MoveTo(vtkTable* table)
   }
 }
 
-void Rows::AddLocation(
-  const std::string& name, const SkdComparedInput& input, const skd::Vector3& x, vtkIdType at)
+void Rows::AddLocation(const std::string& name, const SkdComparedInput& input,
+  const skd::Vector3& x, const SkdComparedSet::Origin& origin)
 {
   const double nan = vtkMath::Nan();
   const skd::Vector3 none{ { nan, nan, nan } };
-  const bool isLocated = at >= 0;
-  const SkdComparedSet::Origin origin =
-    isLocated ? input.Set.GetOrigin(at) : SkdComparedSet::Origin{ -1, -1 };
+  const bool isLocated = origin.Block >= 0;
   this->Get<vtkDoubleArray>(name.c_str(), 3)->InsertNextTuple(isLocated ? x.X : none.X);
   this->Get<vtkIdTypeArray>((name + "CellId").c_str())->InsertNextValue(origin.CellId);
   this->Get<vtkIntArray>((name + "BlockIndex").c_str())
@@ -128,7 +132,8 @@ void Rows::AddStatistics(const SkdDistanceSamples& samples, bool isSigned)
     this->AddStatistic(names[i], statistics.Quantiles[i]);
   }
   this->AddNumber("Area", statistics.Measure);
-  this->Get<vtkIdTypeArray>("Samples")->InsertNextValue(samples.GetNumberOfSamples());
+  this->Get<vtkIdTypeArray>("Samples")->InsertNextValue(
+    static_cast<vtkIdType>(this->All.Sum(static_cast<long long>(samples.GetNumberOfSamples()))));
 }
 
 void Rows::Add(const char* direction, const SkdComparison& comparison, const SkdHausdorff& bounds,
@@ -137,8 +142,8 @@ void Rows::Add(const char* direction, const SkdComparison& comparison, const Skd
   this->Get<vtkStringArray>("Direction")->InsertNextValue(direction);
   this->AddNumber("HausdorffDistance", bounds.Distance);
   this->AddNumber("HausdorffUpperBound", bounds.UpperBound);
-  this->AddLocation("From", *comparison.From, bounds.From, bounds.FromElement);
-  this->AddLocation("To", *comparison.To, bounds.To, bounds.ToElement);
+  this->AddLocation("From", *comparison.From, bounds.From, bounds.FromOrigin);
+  this->AddLocation("To", *comparison.To, bounds.To, bounds.ToOrigin);
   this->AddStatistics(samples, comparison.To->Set.HasSides());
 }
 }
@@ -152,10 +157,11 @@ void SkdAddDistances(
   }
 }
 
-void SkdFillComparison(const std::array<SkdComparison, 2>& comparisons, vtkTable* table)
+void SkdFillComparison(
+  const std::array<SkdComparison, 2>& comparisons, const SkdReduction& all, vtkTable* table)
 {
   const auto& [forth, back] = comparisons;
-  Rows rows;
+  Rows rows(all);
   rows.Add("Input to Source", forth, forth.Hausdorff, forth.Samples);
   rows.Add("Source to Input", back, back.Hausdorff, back.Samples);
 
@@ -163,8 +169,11 @@ void SkdFillComparison(const std::array<SkdComparison, 2>& comparisons, vtkTable
   SkdHausdorff bounds = farther.Hausdorff;
   bounds.UpperBound = std::max(forth.Hausdorff.UpperBound, back.Hausdorff.UpperBound);
   SkdDistanceSamples samples = forth.Samples;
-  samples.Add(back.Samples);
+  samples.Add(back.Samples, all);
   rows.Add("Both", farther, bounds, samples);
-  rows.MoveTo(table);
+  if (all.GetRank() == 0)
+  {
+    rows.MoveTo(table);
+  }
 }
 }

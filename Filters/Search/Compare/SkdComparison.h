@@ -43,8 +43,10 @@ struct SkdComparison
 void SkdAddDistances(
   const std::vector<SkdBlock>& outputs, const SkdComparedInput& to, SkdLoop& loop);
 
-/// Fills the table: the two directions, and both together.
-void SkdFillComparison(const std::array<SkdComparison, 2>& comparisons, vtkTable* table);
+/// Fills the table on the first process: the two directions, and both together. All processes must
+/// call it together.
+void SkdFillComparison(
+  const std::array<SkdComparison, 2>& comparisons, const SkdReduction& all, vtkTable* table);
 }
 
 #endif

@@ -140,11 +140,11 @@ Corners PartOf(const SkdSampledTriangle& whole, int part)
                        middle(part), middle(part + 2) };
 }
 
-/// The triangles of a set that have an area, and where their pieces begin.
+/// The own triangles of a set that have an area, and where their pieces begin.
 class FirstPieces
 {
 public:
-  FirstPieces(const SkdComparedSet& set, double spacing);
+  FirstPieces(const SkdComparedSet& set, double spacing, const SkdReduction& all);
 
   vtkIdType GetNumberOfPieces() const { return this->Firsts.back(); }
   vtkIdType GetFirst(vtkIdType i) const { return this->Firsts[i]; }
@@ -162,25 +162,24 @@ public:
   }
 
 private:
-  double Estimate() const;
+  double Estimate(const SkdReduction& all) const;
 
   const SkdComparedSet& Set;
   double Spacing;
   std::vector<vtkIdType> Firsts{ 0 };
 };
 
-FirstPieces::FirstPieces(const SkdComparedSet& set, double spacing)
+FirstPieces::FirstPieces(const SkdComparedSet& set, double spacing, const SkdReduction& all)
   : Set(set)
   , Spacing(spacing)
 {
-  while (this->Spacing > 0.0 && this->Estimate() > MostTriangles)
+  while (this->Spacing > 0.0 && this->Estimate(all) > MostTriangles)
   {
     this->Spacing *= 1.5;
   }
-  const auto number = static_cast<vtkIdType>(set.GetElements().size());
-  for (vtkIdType i = 0; i < number; ++i)
+  for (vtkIdType i = 0; i < set.GetNumberOfOwn(); ++i)
   {
-    const Corners corners = this->GetCorners(i, {});
+    const Corners corners = this->GetCorners(set.GetOwn(i), {});
     vtkIdType pieces = 0;
     if (AreaOf(corners) > 0.0)
     {
@@ -195,34 +194,36 @@ FirstPieces::FirstPieces(const SkdComparedSet& set, double spacing)
   }
 }
 
-/// About the number of pieces, beside one of each triangle.
-double FirstPieces::Estimate() const
+/// About the number of pieces of all processes, beside one of each triangle.
+double FirstPieces::Estimate(const SkdReduction& all) const
 {
-  double pieces = 0.0;
-  for (std::size_t i = 0; i < this->Set.GetElements().size(); ++i)
+  SkdCompensatedSum pieces;
+  for (vtkIdType i = 0; i < this->Set.GetNumberOfOwn(); ++i)
   {
-    const Corners corners = this->GetCorners(static_cast<vtkIdType>(i), {});
+    const Corners corners = this->GetCorners(this->Set.GetOwn(i), {});
     if (IsTooLarge(corners, this->Spacing))
     {
       const double edge = EdgePerSpacing * this->Spacing;
-      pieces += 8.0 * AreaOf(corners) / (edge * edge);
+      pieces.Add(8.0 * AreaOf(corners) / (edge * edge));
     }
   }
-  return pieces;
+  return all.Sum(std::vector<SkdCompensatedSum>{ pieces })[0];
 }
 
-/// The distances of all points of a set; 0 of those that are not finite.
+/// The distances of the points of a set's own elements; 0 of others.
 bool MeasureAll(const SkdComparedSet& from, const SkdComparedSet& to, SkdLoop loop,
   std::vector<double>& distances)
 {
   const std::vector<skd::Vector3>& points = from.GetPoints();
+  const std::vector<unsigned char> isOwn = from.FindOwnPoints();
   distances.resize(points.size());
   return loop.For(static_cast<vtkIdType>(points.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        distances[i] = Measure(to, points[i], std::array<KnownDistance, 0>{}).Distance;
+        distances[i] =
+          isOwn[i] ? Measure(to, points[i], std::array<KnownDistance, 0>{}).Distance : 0.0;
       }
     });
 }
@@ -232,14 +233,13 @@ KnownDistance CentreOf(const SkdComparedSet& to, const Corners& corners)
   return Measure(to, CentroidOf(corners[0].At, corners[1].At, corners[2].At), corners);
 }
 
-bool SampleAll(const SkdComparedSet& from, const SkdComparedSet& to, double spacing,
+bool SampleAll(const SkdComparedSet& from, const SkdComparedSet& to, const FirstPieces& pieces,
   const std::vector<double>& distances, SkdLoop loop, std::vector<SkdSampledTriangle>& triangles)
 {
-  const FirstPieces pieces(from, spacing);
   triangles.resize(static_cast<std::size_t>(pieces.GetNumberOfPieces()));
   const auto measure = [&to](const skd::Vector3& x, const Corners& nearby)
   { return Measure(to, x, nearby); };
-  return loop.For(static_cast<vtkIdType>(from.GetElements().size()),
+  return loop.For(from.GetNumberOfOwn(),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -247,7 +247,7 @@ bool SampleAll(const SkdComparedSet& from, const SkdComparedSet& to, double spac
         auto* next = triangles.data() + pieces.GetFirst(i);
         if (pieces.GetFirst(i + 1) > pieces.GetFirst(i))
         {
-          Bisect(pieces.GetCorners(i, distances), pieces.GetSpacing(), measure,
+          Bisect(pieces.GetCorners(from.GetOwn(i), distances), pieces.GetSpacing(), measure,
             [&](const Corners& piece) { *next++ = Sample(to, piece, CentreOf(to, piece)); });
         }
       }
@@ -283,8 +283,9 @@ bool SkdDistanceSamples::Divide(
 }
 
 // Each round takes half of the progress that is left, for nobody knows how many there will be.
-void SkdDistanceSamples::Add(const SkdComparedSet& from, const SkdComparedSet& to,
-  const SkdSampling& sampling, vtkAlgorithm* self, double first, double last)
+bool SkdDistanceSamples::Add(const SkdComparedSet& from, const SkdComparedSet& to,
+  const SkdSampling& sampling, const SkdReduction& all, vtkAlgorithm* self, double first,
+  double last)
 {
   const auto loopOf = [&](std::size_t steps)
   {
@@ -293,51 +294,61 @@ void SkdDistanceSamples::Add(const SkdComparedSet& from, const SkdComparedSet& t
     return SkdLoop(self, static_cast<vtkIdType>(steps), begin, first);
   };
   std::vector<double> distances;
-  if (!MeasureAll(from, to, loopOf(from.GetPoints().size()), distances))
+  bool isGoing = !all.IsAny(!MeasureAll(from, to, loopOf(from.GetPoints().size()), distances));
+  if (isGoing && !from.IsSurface())
   {
-    return;
+    for (vtkIdType i = 0; i < from.GetNumberOfOwn(); ++i)
+    {
+      this->Points.push_back(distances[from.GetElements()[from.GetOwn(i)][0]]);
+    }
   }
-  if (!from.IsSurface())
+  else if (isGoing)
   {
-    this->Points = std::move(distances);
-    this->Evaluate(true);
-    return;
+    const FirstPieces pieces(from, sampling.Spacing, all);
+    isGoing = !all.IsAny(
+      !SampleAll(from, to, pieces, distances, loopOf(from.GetElements().size()), this->Triangles));
   }
-  bool isGoing = SampleAll(
-    from, to, sampling.Spacing, distances, loopOf(from.GetElements().size()), this->Triangles);
-  for (int round = 0; isGoing && round < MostRounds; ++round)
+  std::vector<std::size_t> chosen;
+  for (int round = 0; isGoing && from.IsSurface() && round < MostRounds &&
+       this->FindTrianglesToDivide(sampling.Tolerance, all, chosen);
+       ++round)
   {
-    const std::vector<std::size_t> chosen = this->FindTrianglesToDivide(sampling.Tolerance);
-    isGoing = !chosen.empty() && this->Divide(chosen, to, loopOf(chosen.size()));
+    isGoing = !all.IsAny(!this->Divide(chosen, to, loopOf(chosen.size())));
   }
   if (isGoing)
   {
-    this->Evaluate(true);
+    this->Evaluate(true, all);
   }
+  return isGoing;
 }
 
-// Quantiles, which cost most, wait until the means are known well enough.
-std::vector<std::size_t> SkdDistanceSamples::FindTrianglesToDivide(
-  const SkdStatisticsTolerance& tolerance)
+// Quantiles, which cost most, wait until the means are known well enough. Returns whether any
+// process has some to divide.
+bool SkdDistanceSamples::FindTrianglesToDivide(const SkdStatisticsTolerance& tolerance,
+  const SkdReduction& all, std::vector<std::size_t>& chosen)
 {
+  const bool isFull =
+    static_cast<double>(all.Sum(static_cast<long long>(this->Triangles.size()))) > MostTriangles;
   for (const bool wantsQuantiles : { false, true })
   {
-    const bool isFull = static_cast<double>(this->Triangles.size()) > MostTriangles;
-    this->Evaluate(wantsQuantiles || isFull);
-    auto chosen = isFull ? std::vector<std::size_t>()
-                         : SkdTrianglesToDivide(this->Triangles, this->Statistics, tolerance);
-    if (isFull || !chosen.empty())
+    if (isFull)
     {
-      return chosen;
+      return false;
+    }
+    this->Evaluate(wantsQuantiles, all);
+    chosen = SkdTrianglesToDivide(this->Triangles, this->Statistics, tolerance, all);
+    if (all.IsAny(!chosen.empty()))
+    {
+      return true;
     }
   }
-  return {};
+  return false;
 }
 
-void SkdDistanceSamples::Add(const SkdDistanceSamples& other)
+void SkdDistanceSamples::Add(const SkdDistanceSamples& other, const SkdReduction& all)
 {
   this->Triangles.insert(this->Triangles.end(), other.Triangles.begin(), other.Triangles.end());
   this->Points.insert(this->Points.end(), other.Points.begin(), other.Points.end());
-  this->Evaluate(true);
+  this->Evaluate(true, all);
 }
 }

@@ -30,13 +30,16 @@ public:
   /// four where that reduces the errors of the statistics most, until these are within the
   /// tolerance; with 2 million triangles the spacing grows, and no more are divided. Of points,
   /// each is a sample of weight 1. Reported as going from `first` to `last` of the algorithm's
-  /// progress. The same for any number of threads.
-  void Add(const SkdComparedSet& from, const SkdComparedSet& to, const SkdSampling& sampling,
-    vtkAlgorithm* self, double first, double last);
+  /// progress. Each process takes those of its own elements, and where more are taken is decided
+  /// by those of all, who must call it together. The statistics are the same for any number of
+  /// threads and processes. Returns whether it was aborted on none of them.
+  bool Add(const SkdComparedSet& from, const SkdComparedSet& to, const SkdSampling& sampling,
+    const SkdReduction& all, vtkAlgorithm* self, double first, double last);
 
   /// Appends those of another, and evaluates all.
-  void Add(const SkdDistanceSamples& other);
+  void Add(const SkdDistanceSamples& other, const SkdReduction& all);
 
+  /// Of this process.
   vtkIdType GetNumberOfSamples() const
   {
     return static_cast<vtkIdType>(
@@ -46,11 +49,12 @@ public:
   const SkdDistanceStatistics& GetStatistics() const { return this->Statistics; }
 
 private:
-  std::vector<std::size_t> FindTrianglesToDivide(const SkdStatisticsTolerance& tolerance);
+  bool FindTrianglesToDivide(const SkdStatisticsTolerance& tolerance, const SkdReduction& all,
+    std::vector<std::size_t>& chosen);
   bool Divide(const std::vector<std::size_t>& chosen, const SkdComparedSet& to, SkdLoop loop);
-  void Evaluate(bool wantsQuantiles)
+  void Evaluate(bool wantsQuantiles, const SkdReduction& all)
   {
-    this->Statistics = SkdStatisticsOf(this->Triangles, this->Points, wantsQuantiles);
+    this->Statistics = SkdStatisticsOf(this->Triangles, this->Points, wantsQuantiles, all);
   }
 
   std::vector<SkdSampledTriangle> Triangles;

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Search/Compare/SkdDistanceStatistics.h"
 
+#include "Search/Compare/SkdWeightedValues.h"
+
 #include <algorithm>
-#include <functional>
-#include <iterator>
-#include <numeric>
-#include <tuple>
-#include <utility>
 
 namespace skdtree
 {
@@ -15,9 +12,14 @@ namespace
 {
 using Triangles = std::vector<SkdSampledTriangle>;
 
-/// Relative: what rounding takes from a sum of 2^24 weights, at random (the square root of their
-/// number times 2^-53 is 4.5e-13). Without it a quantile of equal weights may be the next sample's.
-constexpr double WeightRounding = 1e-12;
+/// The area of all in units of the weights that are added up: a sample's weight is a multiple of a
+/// 48th of its triangle's area, and all are below 2^63.
+constexpr double WeightOfAll = 0x1p56;
+constexpr long long PartsOfTriangle = 48;
+
+/// Relative: what 2^21 triangles lose where their areas are rounded to units, half a unit each, is
+/// 1.5e-11. Without it a quantile of equal weights may be the next sample's.
+constexpr double WeightRounding = 1e-10;
 
 double Magnitude(double distance)
 {
@@ -34,148 +36,123 @@ double Square(double distance)
   return distance * distance;
 }
 
-/// The mean of a function of the distance.
+/// Appends three sums of a function of the distance: its integral, the difference of the fine and
+/// the coarse one, and the squares of each triangle's difference.
 template <class Function>
-SkdDistanceStatistic MeanOf(const Triangles& triangles, const std::vector<double>& points,
-  double measure, const Function& function)
+void AppendSums(const Triangles& triangles, const std::vector<double>& points,
+  const Function& function, std::vector<SkdCompensatedSum>& sums)
 {
-  double sum = 0.0;
-  double difference = 0.0;
-  double squares = 0.0;
+  SkdCompensatedSum integral;
+  SkdCompensatedSum difference;
+  SkdCompensatedSum squares;
   for (const SkdSampledTriangle& triangle : triangles)
   {
+    double part = 0.0;
     triangle.ForEachSample(
-      [&](double distance, double fine, double) { sum += fine * function(distance); });
+      [&](double distance, double fine, double) { part += fine * function(distance); });
+    integral.Add(part);
     const double own = triangle.GetDifference(function);
-    difference += own;
-    squares += own * own;
+    difference.Add(own);
+    squares.Add(own * own);
   }
   for (const double distance : points)
   {
-    sum += function(distance);
+    integral.Add(function(distance));
   }
-  return { sum / measure, (0.5 * std::abs(difference) + 2.0 * std::sqrt(squares)) / measure };
+  sums.insert(sums.end(), { integral, difference, squares });
 }
 
-/// Quantiles of distances, which are distributed to bins; only bins that hold one are sorted.
+/// From the three sums.
+SkdDistanceStatistic MeanOf(const double* sums, double measure)
+{
+  return { sums[0] / measure, (0.5 * std::abs(sums[1]) + 2.0 * std::sqrt(sums[2])) / measure };
+}
+
+double MeasureOf(
+  const Triangles& triangles, const std::vector<double>& points, const SkdReduction& all)
+{
+  SkdCompensatedSum measure;
+  measure.Add(static_cast<double>(points.size()));
+  for (const SkdSampledTriangle& triangle : triangles)
+  {
+    measure.Add(triangle.Area);
+  }
+  return all.Sum(std::vector<SkdCompensatedSum>{ measure })[0];
+}
+
+/// Of the unsigned distances of samples.
 class Distribution
 {
 public:
-  Distribution(const Triangles& triangles, const std::vector<double>& points, double measure);
+  Distribution(const Triangles& triangles, const std::vector<double>& points, double measure,
+    const SkdReduction& all);
 
-  double GetFine(double share) { return this->Find(share, &Step::Fine); }
-  double GetCoarse(double share) { return this->Find(share, &Step::Coarse); }
+  using Shares = std::vector<double>;
+
+  ///@{
+  /// The distances that are not exceeded on some shares of the area, in the fine and the coarse
+  /// sum.
+  Shares GetFine(const Shares& shares) const { return this->Find(shares, &SkdWeightedValue::Fine); }
+  Shares GetCoarse(const Shares& shares) const
+  {
+    return this->Find(shares, &SkdWeightedValue::Coarse);
+  }
+  ///@}
 
 private:
-  /// A sample, or the sums of a bin and those before.
-  struct Step
-  {
-    double Distance;
-    double Fine;
-    double Coarse;
-  };
-
-  static constexpr std::size_t Bins = 1 << 16;
-
-  std::size_t BinOf(double distance) const
-  {
-    return static_cast<std::size_t>(std::min(this->Scale * distance, Bins - 1.0));
-  }
   template <class Visit>
-  void ForEachStep(const Visit& visit) const;
-  double Find(double share, double Step::*weight);
-  double FindIn(std::size_t bin, double rest, double Step::*weight);
+  void ForEachSample(const Visit& visit) const;
+  Shares Find(const Shares& shares, long long SkdWeightedValue::*weight) const;
 
   const Triangles& Of;
   const std::vector<double>& Points;
-  double Measure;
-  double Scale = 0.0;
-  std::vector<Step> Steps; // bin after bin
-  std::vector<std::size_t> Ends;
-  std::vector<Step> Sums;
-  std::vector<bool> IsSorted;
+  double Unit; // of weights, in an area
+  SkdWeightedValues Values;
 };
 
+Distribution::Distribution(const Triangles& triangles, const std::vector<double>& points,
+  double measure, const SkdReduction& all)
+  : Of(triangles)
+  , Points(points)
+  , Unit(measure / WeightOfAll)
+  , Values([this](const auto& visit) { this->ForEachSample(visit); }, all)
+{
+}
+
 template <class Visit>
-void Distribution::ForEachStep(const Visit& visit) const
+void Distribution::ForEachSample(const Visit& visit) const
 {
   for (const SkdSampledTriangle& triangle : this->Of)
   {
-    triangle.ForEachSample(
-      [&visit](double distance, double fine, double coarse) {
-        visit(Step{ std::abs(distance), fine, coarse });
-      });
+    const long long part = std::llround(triangle.Area / this->Unit);
+    const auto visitSample = [&](double distance, long long fine, long long coarse) {
+      visit(SkdWeightedValue{ std::abs(distance), fine * part, coarse * part });
+    };
+    for (int k = 0; k < 3; ++k)
+    {
+      visitSample(triangle.AtCorners[k], 1, 4);
+      visitSample(triangle.AtMiddles[k], 3, 0);
+      visitSample(triangle.AtCentroids[k], 9, 0);
+    }
+    visitSample(triangle.AtCentroids[3], 9, 36);
   }
+  const long long ofPoint = std::llround(PartsOfTriangle / this->Unit);
   for (const double distance : this->Points)
   {
-    visit(Step{ std::abs(distance), 1.0, 1.0 });
+    visit(SkdWeightedValue{ std::abs(distance), ofPoint, ofPoint });
   }
 }
 
-Distribution::Distribution(
-  const Triangles& triangles, const std::vector<double>& points, double measure)
-  : Of(triangles)
-  , Points(points)
-  , Measure(measure)
-  , Steps(SkdSampledTriangle::Samples * triangles.size() + points.size())
-  , Ends(Bins, 0)
-  , Sums(Bins, Step{ 0.0, 0.0, 0.0 })
-  , IsSorted(Bins, false)
+Distribution::Shares Distribution::Find(
+  const Shares& shares, long long SkdWeightedValue::*weight) const
 {
-  double largest = 0.0;
-  this->ForEachStep([&](const Step& step) { largest = std::max(largest, step.Distance); });
-  this->Scale = largest > 0.0 ? Bins / largest : 0.0;
-  this->ForEachStep(
-    [this](const Step& step)
-    {
-      const std::size_t bin = this->BinOf(step.Distance);
-      ++this->Ends[bin];
-      this->Sums[bin].Fine += step.Fine;
-      this->Sums[bin].Coarse += step.Coarse;
-    });
-  std::size_t first = 0;
-  for (std::size_t bin = 0; bin < Bins; ++bin)
+  std::vector<SkdWeightedValues::Query> queries;
+  for (const double share : shares)
   {
-    first += std::exchange(this->Ends[bin], first);
-    this->Sums[bin].Fine += bin > 0 ? this->Sums[bin - 1].Fine : 0.0;
-    this->Sums[bin].Coarse += bin > 0 ? this->Sums[bin - 1].Coarse : 0.0;
+    const double part = share * (1.0 - WeightRounding) * PartsOfTriangle * WeightOfAll;
+    queries.push_back({ std::llround(part), weight });
   }
-  this->ForEachStep(
-    [this](const Step& step) { this->Steps[this->Ends[this->BinOf(step.Distance)]++] = step; });
-}
-
-double Distribution::Find(double share, double Step::*weight)
-{
-  const double part = share * this->Measure * (1.0 - WeightRounding);
-  const auto found = std::lower_bound(this->Sums.begin(), this->Sums.end(), part,
-    [weight](const Step& sums, double below) { return sums.*weight < below; });
-  const auto bin = static_cast<std::size_t>(found - this->Sums.begin());
-  return this->FindIn(
-    std::min(bin, Bins - 1), part - (bin > 0 ? this->Sums[bin - 1].*weight : 0.0), weight);
-}
-
-// Of a bin without samples, and where rounding leaves a rest, the last one before.
-double Distribution::FindIn(std::size_t bin, double rest, double Step::*weight)
-{
-  const auto begin = this->Steps.begin() + (bin > 0 ? this->Ends[bin - 1] : 0);
-  const auto end = this->Steps.begin() + this->Ends[bin];
-  if (!this->IsSorted[bin])
-  {
-    std::sort(begin, end,
-      [](const Step& a, const Step& b)
-      { return std::tie(a.Distance, a.Fine, a.Coarse) < std::tie(b.Distance, b.Fine, b.Coarse); });
-    this->IsSorted[bin] = true;
-  }
-  double sum = 0.0;
-  for (auto step = begin; step != end; ++step)
-  {
-    sum += (*step).*weight;
-    if (sum >= rest)
-    {
-      return step->Distance;
-    }
-  }
-  return end == this->Steps.begin() ? begin->Distance : std::prev(end)->Distance;
+  return this->Values.Find(queries);
 }
 
 /// The area on which a distance is not exceeded, in the fine sum less the coarse one.
@@ -185,33 +162,50 @@ double DifferenceBelow(const SkdSampledTriangle& triangle, double limit)
     [limit](double distance) { return std::abs(distance) <= limit ? 1.0 : 0.0; });
 }
 
-SkdDistanceStatistic QuantileOf(
-  Distribution& distances, const Triangles& triangles, double share, double measure)
+std::array<SkdDistanceStatistic, 4> QuantilesOf(const Distribution& distances,
+  const Triangles& triangles, double measure, const SkdReduction& all)
 {
-  SkdDistanceStatistic quantile;
-  quantile.Value = distances.GetFine(share);
-  double squares = 0.0;
-  for (const SkdSampledTriangle& triangle : triangles)
+  const std::vector<double> shares(SkdQuantileShares.begin(), SkdQuantileShares.end());
+  const std::vector<double> values = distances.GetFine(shares);
+  const std::vector<double> coarse = distances.GetCoarse(shares);
+  std::vector<SkdCompensatedSum> sums(shares.size());
+  for (std::size_t i = 0; i < shares.size(); ++i)
   {
-    const double own = DifferenceBelow(triangle, quantile.Value);
-    squares += own * own;
+    for (const SkdSampledTriangle& triangle : triangles)
+    {
+      const double own = DifferenceBelow(triangle, values[i]);
+      sums[i].Add(own * own);
+    }
   }
-  const double random = 2.0 * std::sqrt(squares) / measure;
-  const double common = std::abs(quantile.Value - distances.GetCoarse(share));
-  quantile.Error = 0.5 * common +
-    std::max(distances.GetFine(std::min(share + random, 1.0)) - quantile.Value,
-      quantile.Value - distances.GetFine(std::max(share - random, 0.0)));
-  return quantile;
+  std::vector<double> ends;
+  const std::vector<double> squares = all.Sum(sums);
+  for (std::size_t i = 0; i < shares.size(); ++i)
+  {
+    const double random = 2.0 * std::sqrt(squares[i]) / measure;
+    ends.push_back(std::max(shares[i] - random, 0.0));
+    ends.push_back(std::min(shares[i] + random, 1.0));
+  }
+  const std::vector<double> around = distances.GetFine(ends);
+  std::array<SkdDistanceStatistic, 4> quantiles;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+  {
+    quantiles[i] = { values[i],
+      0.5 * std::abs(values[i] - coarse[i]) +
+        std::max(around[2 * i + 1] - values[i], values[i] - around[2 * i]) };
+  }
+  return quantiles;
 }
 
 /// What each triangle contributes to the errors that are too large, in tolerances.
 class Contributions
 {
 public:
-  Contributions(const Triangles& triangles, const SkdStatisticsTolerance& tolerance)
+  Contributions(
+    const Triangles& triangles, const SkdStatisticsTolerance& tolerance, const SkdReduction& all)
     : Each(triangles.size(), 0.0)
     , Of(triangles)
     , Tolerance(tolerance)
+    , All(all)
   {
   }
 
@@ -229,7 +223,7 @@ public:
     std::vector<double> own(this->Of.size());
     std::transform(this->Of.begin(), this->Of.end(), own.begin(),
       [&](const SkdSampledTriangle& triangle) { return std::abs(difference(triangle)); });
-    const double sum = std::accumulate(own.begin(), own.end(), 0.0);
+    const double sum = this->AddUp(own);
     const double scale = sum > 0.0 ? statistic.Error / limit / sum : 0.0;
     std::transform(own.begin(), own.end(), this->Each.begin(), this->Each.begin(),
       [scale](double part, double before) { return before + scale * part; });
@@ -239,24 +233,43 @@ public:
   std::vector<std::size_t> GetLargest(double part) const;
 
 private:
+  double AddUp(const std::vector<double>& own) const
+  {
+    SkdCompensatedSum sum;
+    for (const double number : own)
+    {
+      sum.Add(number);
+    }
+    return this->All.Sum(std::vector<SkdCompensatedSum>{ sum })[0];
+  }
+
   std::vector<double> Each;
   const Triangles& Of;
   SkdStatisticsTolerance Tolerance;
+  const SkdReduction& All;
 };
 
+// What is below the least of them makes no more than the rest.
 std::vector<std::size_t> Contributions::GetLargest(double part) const
 {
-  std::vector<double> sorted = this->Each;
-  std::sort(sorted.begin(), sorted.end(), std::greater<>());
-  const double enough = part * std::accumulate(sorted.begin(), sorted.end(), 0.0);
-  double sum = 0.0;
-  double least = 0.0;
-  for (std::size_t i = 0; i < sorted.size() && sum < enough; ++i)
-  {
-    least = sorted[i];
-    sum += least;
-  }
+  const double sum = this->AddUp(this->Each);
   std::vector<std::size_t> largest;
+  if (!(sum > 0.0))
+  {
+    return largest;
+  }
+  constexpr double all = 0x1p62;
+  const SkdWeightedValues contributions(
+    [&](const auto& visit)
+    {
+      for (const double each : this->Each)
+      {
+        visit(SkdWeightedValue{ each, std::llround(each / sum * all), 0 });
+      }
+    },
+    this->All);
+  const auto rest = static_cast<long long>((1.0 - part) * all);
+  const double least = contributions.Find({ { rest + 1, &SkdWeightedValue::Fine } })[0];
   for (std::size_t i = 0; least > 0.0 && i < this->Each.size(); ++i)
   {
     if (this->Each[i] >= least)
@@ -269,44 +282,41 @@ std::vector<std::size_t> Contributions::GetLargest(double part) const
 }
 
 SkdDistanceStatistics SkdStatisticsOf(const std::vector<SkdSampledTriangle>& triangles,
-  const std::vector<double>& points, bool wantsQuantiles)
+  const std::vector<double>& points, bool wantsQuantiles, const SkdReduction& all)
 {
   SkdDistanceStatistics statistics;
-  statistics.Measure = static_cast<double>(points.size());
-  for (const SkdSampledTriangle& triangle : triangles)
-  {
-    statistics.Measure += triangle.Area;
-  }
-  const double measure = statistics.Measure;
+  const double measure = MeasureOf(triangles, points, all);
+  statistics.Measure = measure;
   if (!(measure > 0.0))
   {
     return statistics;
   }
-  statistics.Mean = MeanOf(triangles, points, measure, Magnitude);
-  statistics.SignedMean = MeanOf(triangles, points, measure, Signed);
-  const SkdDistanceStatistic square = MeanOf(triangles, points, measure, Square);
+  std::vector<SkdCompensatedSum> own;
+  AppendSums(triangles, points, Magnitude, own);
+  AppendSums(triangles, points, Signed, own);
+  AppendSums(triangles, points, Square, own);
+  const std::vector<double> sums = all.Sum(own);
+  statistics.Mean = MeanOf(&sums[0], measure);
+  statistics.SignedMean = MeanOf(&sums[3], measure);
+  const SkdDistanceStatistic square = MeanOf(&sums[6], measure);
   const double root = std::sqrt(square.Value);
   statistics.RootMeanSquare = { root,
     root - std::sqrt(std::max(0.0, square.Value - square.Error)) };
-
-  if (!wantsQuantiles)
+  if (wantsQuantiles)
   {
-    return statistics;
-  }
-  Distribution distances(triangles, points, measure);
-  for (std::size_t i = 0; i < SkdQuantileShares.size(); ++i)
-  {
-    statistics.Quantiles[i] = QuantileOf(distances, triangles, SkdQuantileShares[i], measure);
+    const Distribution distances(triangles, points, measure, all);
+    statistics.Quantiles = QuantilesOf(distances, triangles, measure, all);
   }
   return statistics;
 }
 
 std::vector<std::size_t> SkdTrianglesToDivide(const std::vector<SkdSampledTriangle>& triangles,
-  const SkdDistanceStatistics& statistics, const SkdStatisticsTolerance& tolerance)
+  const SkdDistanceStatistics& statistics, const SkdStatisticsTolerance& tolerance,
+  const SkdReduction& all)
 {
   constexpr double part = 0.7;
   const double mean = statistics.Mean.Value;
-  Contributions contributions(triangles, tolerance);
+  Contributions contributions(triangles, tolerance, all);
   contributions.Add(statistics.Mean, mean,
     [](const SkdSampledTriangle& triangle) { return triangle.GetDifference(Magnitude); });
   contributions.Add(statistics.RootMeanSquare, statistics.RootMeanSquare.Value,

@@ -17,6 +17,7 @@
 #define SkdDistanceStatistics_h
 
 #include "Core/Geometry/Vector.h"
+#include "Search/Compare/SkdReduction.h"
 
 #include <array>
 #include <cmath>
@@ -81,10 +82,11 @@ struct SkdDistanceStatistics
   double Measure = 0.0; // the area, or the number of points of a set of points
 };
 
-/// Of triangles, or of points, each of which is one sample of weight 1; quantiles, which cost most,
-/// only if wanted.
+/// Of the triangles of all processes, or of their points, each of which is one sample of weight 1;
+/// quantiles, which cost most, only if wanted. All processes must call it together. It does not
+/// depend on which process has which triangle, nor on their order.
 SkdDistanceStatistics SkdStatisticsOf(const std::vector<SkdSampledTriangle>& triangles,
-  const std::vector<double>& points, bool wantsQuantiles);
+  const std::vector<double>& points, bool wantsQuantiles, const SkdReduction& all);
 
 /// How far the errors may be reduced: relative to a value (of a quantile, to the mean if that is
 /// larger), but not below an absolute one.
@@ -94,9 +96,11 @@ struct SkdStatisticsTolerance
   double Absolute;
 };
 
-/// The triangles that contribute most to errors that exceed the tolerance; none if no error does.
+/// Those of this process's triangles that contribute most to errors that exceed the tolerance; none
+/// on any process if no error does. All processes must call it together.
 std::vector<std::size_t> SkdTrianglesToDivide(const std::vector<SkdSampledTriangle>& triangles,
-  const SkdDistanceStatistics& statistics, const SkdStatisticsTolerance& tolerance);
+  const SkdDistanceStatistics& statistics, const SkdStatisticsTolerance& tolerance,
+  const SkdReduction& all);
 }
 
 #endif

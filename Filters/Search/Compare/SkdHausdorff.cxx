@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Search/Compare/SkdHausdorff.h"
 
+#include "Search/Compare/SkdWeightedValues.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -44,10 +47,12 @@ bool IsFarther(const Sample& a, vtkIdType elementOfA, const Sample& b, vtkIdType
 class Search
 {
 public:
-  Search(const SkdComparedSet& from, const SkdComparedSet& to, const SkdHausdorffLimits& limits)
+  Search(const SkdComparedSet& from, const SkdComparedSet& to, const SkdHausdorffLimits& limits,
+    const SkdReduction& all)
     : From(from)
     , To(to)
     , Limits(limits)
+    , All(all)
   {
   }
 
@@ -59,19 +64,28 @@ private:
   double GetBound(const std::array<Sample, 3>& corners) const;
   Sample Halve(const Piece& piece, int edge) const;
   void Bisect(const Piece& piece, Piece* halves) const;
-  Pieces TakeWidest(vtkIdType most);
+  vtkIdType CountWider(double bound) const;
+  double FindLimit() const;
+  Pieces TakeWidest();
   bool BisectAll(const Pieces& pieces, SkdLoop loop);
   void Keep(const Piece& piece);
-  double GetUpperBound() const;
+  void Share();
+  SkdHausdorff MakeResult() const;
 
   const SkdComparedSet& From;
   const SkdComparedSet& To;
   SkdHausdorffLimits Limits;
+  const SkdReduction& All;
   Pieces Open;
   Sample Farthest{ {}, -1.0, -1 };
   vtkIdType FarthestElement = -1;
   double Settled = 0.0; // the largest bound of pieces that are not divided any more
+  ///@{
+  /// Of all processes.
+  double Distance = 0.0;
+  double UpperBound = 0.0;
   vtkIdType Bisections = 0;
+  ///@}
 };
 
 Sample Search::FindNearest(const skd::Vector3& x, double maxDistance) const
@@ -148,7 +162,8 @@ void Search::Keep(const Piece& piece)
       this->FarthestElement = piece.Element;
     }
   }
-  if (piece.Bound > this->Farthest.Distance + this->Limits.Tolerance)
+  const double known = std::max(this->Farthest.Distance, this->Distance);
+  if (piece.Bound > known + this->Limits.Tolerance)
   {
     this->Open.push_back(piece);
   }
@@ -161,23 +176,26 @@ void Search::Keep(const Piece& piece)
 bool Search::Start(SkdLoop loop)
 {
   const std::vector<skd::Vector3>& points = this->From.GetPoints();
+  const std::vector<unsigned char> isOwn = this->From.FindOwnPoints();
   std::vector<Sample> samples(points.size());
   const auto findNearest = [&](vtkIdType begin, vtkIdType end)
   {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      samples[i] = this->FindNearest(points[i], std::numeric_limits<double>::max());
+      samples[i] = isOwn[i] ? this->FindNearest(points[i], std::numeric_limits<double>::max())
+                            : Sample{ points[i], 0.0, -1 };
     }
   };
   bool isWhole = loop.For(static_cast<vtkIdType>(samples.size()), findNearest);
   const std::vector<SkdTriangleIds>& elements = this->From.GetElements();
-  Pieces pieces(elements.size());
+  Pieces pieces(static_cast<std::size_t>(this->From.GetNumberOfOwn()));
   const auto bound = [&](vtkIdType begin, vtkIdType end)
   {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      const SkdTriangleIds& ids = elements[i];
-      pieces[i] = { { samples[ids[0]], samples[ids[1]], samples[ids[2]] }, 0.0, i };
+      const vtkIdType element = this->From.GetOwn(i);
+      const SkdTriangleIds& ids = elements[element];
+      pieces[i] = { { samples[ids[0]], samples[ids[1]], samples[ids[2]] }, 0.0, element };
       pieces[i].Bound = this->GetBound(pieces[i].Corners);
     }
   };
@@ -189,25 +207,68 @@ bool Search::Start(SkdLoop loop)
   return isWhole;
 }
 
-double Search::GetUpperBound() const
+// What all processes know of the distance.
+void Search::Share()
 {
   double bound = std::max(this->Settled, this->Farthest.Distance);
   for (const Piece& piece : this->Open)
   {
     bound = std::max(bound, piece.Bound);
   }
-  return bound;
+  std::vector<double> largest{ this->Farthest.Distance, bound };
+  this->All.TakeLargest(largest);
+  this->Distance = largest[0];
+  this->UpperBound = largest[1];
 }
 
-// Those that may hold much more than was found; the others may be excluded by what these hold.
-Pieces Search::TakeWidest(vtkIdType most)
+/// How many pieces all processes have that may hold more.
+vtkIdType Search::CountWider(double bound) const
 {
-  const double least = this->Farthest.Distance;
+  return static_cast<vtkIdType>(
+    this->All.Sum(static_cast<long long>(std::count_if(this->Open.begin(), this->Open.end(),
+      [=](const Piece& piece) { return piece.Bound > bound; }))));
+}
+
+// Those that may hold much more than was found are bisected; the others may be excluded by what
+// these hold. Of too many the widest.
+double Search::FindLimit() const
+{
+  constexpr vtkIdType round = 1 << 18; // limited, so that little is done in vain
   const double limit =
-    least + std::max(this->Limits.Tolerance, 0.25 * (this->GetUpperBound() - least));
+    this->Distance + std::max(this->Limits.Tolerance, 0.25 * (this->UpperBound - this->Distance));
+  const vtkIdType left = this->Limits.Bisections - this->Bisections;
+  const vtkIdType wider = this->CountWider(limit);
+  if (wider <= std::min(round, left))
+  {
+    return limit;
+  }
+  const SkdWeightedValues bounds(
+    [&](const auto& visit)
+    {
+      for (const Piece& piece : this->Open)
+      {
+        if (piece.Bound > limit)
+        {
+          visit(SkdWeightedValue{ piece.Bound, 1, 0 });
+        }
+      }
+    },
+    this->All);
+  const double least =
+    bounds.Find({ { wider - std::min(round, left), &SkdWeightedValue::Fine } })[0];
+  if (this->CountWider(least) > 0)
+  {
+    return least;
+  }
+  const double below = std::nextafter(least, 0.0); // many with the same bound
+  return this->CountWider(below) <= left ? below : std::numeric_limits<double>::max();
+}
+
+Pieces Search::TakeWidest()
+{
+  const double limit = this->FindLimit();
   const auto isLeft = [&](const Piece& piece) { return !(piece.Bound > limit); };
-  const auto middle = std::stable_partition(this->Open.begin(), this->Open.end(), isLeft);
-  const auto first = this->Open.end() - std::min<std::ptrdiff_t>(most, this->Open.end() - middle);
+  const auto first = std::stable_partition(this->Open.begin(), this->Open.end(), isLeft);
   Pieces taken(first, this->Open.end());
   this->Open.erase(first, this->Open.end());
   return taken;
@@ -224,7 +285,6 @@ bool Search::BisectAll(const Pieces& pieces, SkdLoop loop)
         this->Bisect(pieces[i], &halves[2 * i]);
       }
     });
-  this->Bisections += static_cast<vtkIdType>(pieces.size());
   const Pieces former = std::exchange(this->Open, {});
   for (const Pieces* list : { &former, isWhole ? &halves : &pieces })
   {
@@ -239,43 +299,71 @@ bool Search::BisectAll(const Pieces& pieces, SkdLoop loop)
 // Each round takes half of the progress that is left, for nobody knows how many there will be.
 SkdHausdorff Search::Run(vtkAlgorithm* self, double first, double last)
 {
-  constexpr vtkIdType round = 1 << 18; // limited, so that little is done in vain
+  this->Share();
   bool isGoing = true;
-  while (isGoing && !this->Open.empty() && this->Bisections < this->Limits.Bisections)
+  while (isGoing && this->UpperBound - this->Distance > this->Limits.Tolerance &&
+    this->Bisections < this->Limits.Bisections)
   {
-    const Pieces taken =
-      this->TakeWidest(std::min(round, this->Limits.Bisections - this->Bisections));
+    const Pieces taken = this->TakeWidest();
+    const long long number = this->All.Sum(static_cast<long long>(taken.size()));
     const double middle = (first + last) / 2.0;
-    isGoing = this->BisectAll(
-      taken, SkdLoop(self, static_cast<vtkIdType>(taken.size()), first, middle, 1024));
+    isGoing = !this->All.IsAny(!this->BisectAll(
+                taken, SkdLoop(self, static_cast<vtkIdType>(taken.size()), first, middle, 1024))) &&
+      number > 0;
+    this->Bisections += static_cast<vtkIdType>(number);
     first = middle;
+    this->Share();
+  }
+  return this->MakeResult();
+}
+
+// That of the process with the farthest, and in order: a tie goes to the lowest block and cell, and
+// in it, which is on one process or on some that follow each other, to the first element.
+SkdHausdorff Search::MakeResult() const
+{
+  std::vector<double> own(11, -1.0);
+  own[0] = this->Farthest.Distance;
+  const auto nearest = this->To.FindNearest(this->Farthest.At, std::numeric_limits<double>::max());
+  if (this->FarthestElement >= 0 && nearest)
+  {
+    const SkdComparedSet::Origin& from = this->From.GetOrigin(this->FarthestElement);
+    const SkdComparedSet::Origin& to = this->To.GetOrigin(nearest->CellId);
+    own[1] = from.Block;
+    own[2] = static_cast<double>(from.CellId);
+    own[3] = to.Block;
+    own[4] = static_cast<double>(to.CellId);
+    std::copy_n(this->Farthest.At.X, 3, &own[5]);
+    std::copy_n(nearest->Point, 3, &own[8]);
+  }
+  const std::vector<double> all = this->All.Gather(own);
+  const double* best = all.data();
+  for (std::size_t at = own.size(); at < all.size(); at += own.size())
+  {
+    const double* const other = &all[at];
+    const bool isBefore = std::tie(other[1], other[2]) < std::tie(best[1], best[2]);
+    best = other[0] > best[0] || (other[0] == best[0] && isBefore) ? other : best;
   }
   SkdHausdorff result;
-  result.Distance = this->Farthest.Distance;
-  result.UpperBound = this->GetUpperBound();
-  result.From = this->Farthest.At;
-  result.FromElement = this->FarthestElement;
+  result.Distance = this->Distance;
+  result.UpperBound = this->UpperBound;
   result.Bisections = this->Bisections;
-  if (const auto nearest = this->To.FindNearest(result.From, std::numeric_limits<double>::max()))
-  {
-    std::copy_n(nearest->Point, 3, result.To.X);
-    result.ToElement = nearest->CellId;
-  }
+  result.FromOrigin = { static_cast<int>(best[1]), static_cast<vtkIdType>(best[2]) };
+  result.ToOrigin = { static_cast<int>(best[3]), static_cast<vtkIdType>(best[4]) };
+  std::copy_n(best + 5, 3, result.From.X);
+  std::copy_n(best + 8, 3, result.To.X);
   return result;
 }
 }
 
 SkdHausdorff SkdHausdorffOf(const SkdComparedSet& from, const SkdComparedSet& to,
-  const SkdHausdorffLimits& limits, vtkAlgorithm* self, double first, double last)
+  const SkdHausdorffLimits& limits, const SkdReduction& all, vtkAlgorithm* self, double first,
+  double last)
 {
-  if (from.IsEmpty() || to.IsEmpty())
-  {
-    return {};
-  }
   const auto steps = static_cast<vtkIdType>(from.GetPoints().size() + from.GetElements().size());
   const double middle = (first + last) / 2.0;
-  Search search(from, to, limits);
-  return search.Start(SkdLoop(self, steps, first, middle)) ? search.Run(self, middle, last)
-                                                           : SkdHausdorff();
+  Search search(from, to, limits, all);
+  return all.IsAny(!search.Start(SkdLoop(self, steps, first, middle)))
+    ? SkdHausdorff()
+    : search.Run(self, middle, last);
 }
 }

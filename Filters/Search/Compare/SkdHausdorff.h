@@ -10,7 +10,9 @@
  * faster than x moves, no more than the distance of a corner and the way from there. Pieces whose
  * bound exceeds the largest distance found by more than the tolerance are bisected (compare
  * Tang, Lee, Kim, *Interactive Hausdorff distance computation for general polygonal models*, ACM
- * TOG 28(3), 2009). The result does not depend on threads.
+ * TOG 28(3), 2009). Each process bisects pieces of its own triangles, but all go in the same
+ * rounds, with the same largest distance and limit, so that the result does not depend on threads,
+ * nor on which process has which triangle.
  */
 
 #ifndef SkdHausdorff_h
@@ -18,6 +20,7 @@
 
 #include "Pipeline/SkdLoop.h"
 #include "Search/Compare/SkdComparedSet.h"
+#include "Search/Compare/SkdReduction.h"
 
 #include <limits>
 
@@ -33,17 +36,19 @@ struct SkdHausdorff
   ///@}
 
   ///@{
-  /// Where it was found: a point, the nearest one of the other set, and their elements.
+  /// Where it was found: a point, the nearest one of the other set, and where their elements come
+  /// from.
   skd::Vector3 From{};
   skd::Vector3 To{};
-  vtkIdType FromElement = -1;
-  vtkIdType ToElement = -1;
+  SkdComparedSet::Origin FromOrigin{ -1, -1 };
+  SkdComparedSet::Origin ToOrigin{ -1, -1 };
   ///@}
 
-  vtkIdType Bisections = 0;
+  vtkIdType Bisections = 0; // of all processes
 };
 
-/// How far to go: until the bound is within a tolerance (a length), or so many bisections are made.
+/// How far to go: until the bound is within a tolerance (a length), or at most so many bisections
+/// are made. Of pieces with the same bound all are bisected or none.
 struct SkdHausdorffLimits
 {
   double Tolerance;
@@ -52,8 +57,10 @@ struct SkdHausdorffLimits
 
 /// From all of `from` to the nearest of `to`, reported as going from `first` to `last` of the
 /// algorithm's progress. Where it is stopped, the upper bound is farther away than the tolerance.
+/// All processes must call it together, and get the same.
 SkdHausdorff SkdHausdorffOf(const SkdComparedSet& from, const SkdComparedSet& to,
-  const SkdHausdorffLimits& limits, vtkAlgorithm* self, double first, double last);
+  const SkdHausdorffLimits& limits, const SkdReduction& all, vtkAlgorithm* self, double first,
+  double last);
 }
 
 #endif

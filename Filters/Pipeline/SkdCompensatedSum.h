@@ -14,6 +14,15 @@ namespace skdtree
 class SkdCompensatedSum
 {
 public:
+  SkdCompensatedSum() = default;
+
+  /// A sum that another process has, by its two parts.
+  SkdCompensatedSum(double sum, double lost)
+    : Sum(sum)
+    , Lost(lost)
+  {
+  }
+
   void Add(double value)
   {
     const double sum = this->Sum + value;
@@ -22,7 +31,19 @@ public:
     this->Sum = sum;
   }
 
+  void Add(const SkdCompensatedSum& other)
+  {
+    this->Add(other.Sum);
+    this->Lost += other.Lost;
+  }
+
   double Get() const { return std::isfinite(this->Sum) ? this->Sum + this->Lost : this->Sum; }
+
+  ///@{
+  /// The sum as it was rounded, and what rounding took from it.
+  double GetSum() const { return this->Sum; }
+  double GetLost() const { return this->Lost; }
+  ///@}
 
 private:
   double Sum = 0.0;
