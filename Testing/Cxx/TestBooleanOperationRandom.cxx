@@ -5,6 +5,7 @@
 // SKDTREE_FUZZ_PAIRS in the environment sets how many pairs are tried, SKDTREE_FUZZ_FIRST which is
 // the first; a failure names its pair.
 
+#include "Support/ClosedSurface.h"
 #include "Support/SolidRun.h"
 
 #include "vtkSMPTools.h"
@@ -147,6 +148,7 @@ void TryTree(int number)
     next.Surface = Combine(made.Surface, other.Surface, operation);
     next.IsInside = Combined(operation, made.IsInside, other.IsInside);
     ExpectSolid(random, { &made.Surface, &other.Surface }, next.IsInside, next.Surface);
+    ExpectClosed(MakePolyData(next.Surface));
     const double shared = Measures(common).Volume;
     const double expected[] = { ofA.Volume + ofB.Volume - shared, shared, ofA.Volume - shared,
       ofB.Volume - shared, ofA.Volume + ofB.Volume - 2.0 * shared };

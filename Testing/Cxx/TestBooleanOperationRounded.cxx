@@ -6,11 +6,9 @@
 // SKDTREE_FUZZ_PAIRS in the environment sets how many runs are tried, SKDTREE_FUZZ_FIRST which is
 // the first; a failure names its run.
 
+#include "Support/ClosedSurface.h"
 #include "Support/SolidRun.h"
 #include "Support/SurfaceMeshes.h"
-
-#include "vtkCleanPolyData.h"
-#include "vtkTriangleFilter.h"
 
 #include <cmath>
 
@@ -21,78 +19,8 @@ namespace
 using Filter = vtkSkdTreeBooleanOperation;
 using Surface = vtkSmartPointer<vtkPolyData>;
 
-struct EdgeCounts
-{
-  std::size_t Open = 0;       // not passed as often in one direction as in the other
-  std::size_t OnlyOnce = 0;   // of one face
-  std::size_t ZeroLength = 0; // between equal coordinates
-};
-
-EdgeCounts CountEdges(vtkPolyData* surface)
-{
-  std::map<std::pair<vtkIdType, vtkIdType>, std::pair<int, int>> passes;
-  EdgeCounts counts;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
-  {
-    surface->GetPolys()->GetCellAtId(cell, ids);
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      const vtkIdType a = ids->GetId(i);
-      const vtkIdType b = ids->GetId((i + 1) % ids->GetNumberOfIds());
-      auto& [sum, count] = passes[{ std::min(a, b), std::max(a, b) }];
-      sum += a < b ? 1 : -1;
-      ++count;
-      Point x, y;
-      surface->GetPoint(a, x.data());
-      surface->GetPoint(b, y.data());
-      counts.ZeroLength += x == y;
-    }
-  }
-  for (const auto& edge : passes)
-  {
-    counts.Open += edge.second.first != 0;
-    counts.OnlyOnce += edge.second.second == 1;
-  }
-  return counts;
-}
-
-Surface Triangulated(vtkPolyData* surface)
-{
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(surface);
-  filter->Update();
-  return filter->GetOutput();
-}
-
-Surface Cleaned(vtkPolyData* surface)
-{
-  vtkNew<vtkCleanPolyData> filter;
-  filter->SetInputData(surface);
-  filter->ToleranceIsAbsoluteOn();
-  filter->SetAbsoluteTolerance(0.0);
-  filter->Update();
-  return filter->GetOutput();
-}
-
-void ExpectClosed(vtkPolyData* output)
-{
-  const Surface directions[] = { output, Triangulated(output), Cleaned(output),
-    Cleaned(Triangulated(output)), Triangulated(Cleaned(output)) };
-  for (int direction = 0; direction < 5; ++direction)
-  {
-    SCOPED_TRACE("way " + std::to_string(direction));
-    const EdgeCounts counts = CountEdges(directions[direction]);
-    EXPECT_EQ(counts.Open, 0u);
-    EXPECT_EQ(counts.OnlyOnce, 0u);
-    EXPECT_EQ(counts.ZeroLength, 0u);
-    EXPECT_EQ(
-      directions[direction]->GetNumberOfPoints(), output->GetNumberOfPoints()); // no two are equal
-  }
-}
-
 /// By all ways of output. Returns the volume.
-double ExpectClosed(Filter* filter)
+double ExpectClosedOutput(Filter* filter)
 {
   double volumes[2];
   for (const int merges : { 0, 1 })
@@ -139,7 +67,7 @@ TEST(BooleanOperationRounded, CubesTurnedAboutAnAxis)
     SCOPED_TRACE(count);
     vtkNew<Filter> filter;
     filter->SetInputData(MakePolyData(TurnedCubes(count, degrees, axis)));
-    EXPECT_GT(ExpectClosed(filter), 1.0);
+    EXPECT_GT(ExpectClosedOutput(filter), 1.0);
   };
   expectClosed(3, 5.6, { 0, 0, 1 });
   expectClosed(3, 5.6, { 1, 1, 1 });
@@ -168,9 +96,9 @@ TEST(BooleanOperationRounded, ManyCubesAtRandom)
     }
     vtkNew<Filter> filter;
     filter->SetInputData(MakePolyData(cubes));
-    ExpectClosed(filter);
+    ExpectClosedOutput(filter);
     filter->SetOperation(Filter::AT_LEAST);
-    ExpectClosed(filter);
+    ExpectClosedOutput(filter);
   }
 }
 
@@ -192,7 +120,7 @@ TEST(BooleanOperationRounded, TreesOfOperations)
       filter->SetInputData(made);
       filter->SetSourceData(MakePolyData(MovedAnywhere(random, AnySolid(random, what), what)));
       filter->SetOperation(std::array<int, 4>{ 0, 2, 3, 4 }[random.Index(4)]);
-      ExpectClosed(filter);
+      ExpectClosedOutput(filter);
       made = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
     }
   }
@@ -219,6 +147,6 @@ TEST(BooleanOperationRounded, PolygonsThatVtkWouldOpenBecomeTriangles)
   vtkNew<Filter> filter;
   filter->SetInputData(MakePolyData(prism));
   filter->SetSourceData(MakePolyData(Transformed(CubeQuads(1), 1.0, { 3, 0, 0 })));
-  EXPECT_NEAR(ExpectClosed(filter), 2.0, 1e-13);
+  EXPECT_NEAR(ExpectClosedOutput(filter), 2.0, 1e-13);
 }
 }

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeBooleanOperation: chains of fifty operations, each on what the one before has made, are
+// closed at each step and have the volume of all solids combined at once.
+//
+// SKDTREE_FUZZ_PAIRS in the environment sets how many chains are tried (a fortieth of it),
+// SKDTREE_FUZZ_FIRST which is the first; a failure names its chain.
+
+#include "Support/ClosedSurface.h"
+#include "Support/Reported.h"
+#include "Support/SolidRun.h"
+
+#include "vtkMultiBlockDataSet.h"
+
+using namespace skdtest;
+
+namespace
+{
+using Filter = vtkSkdTreeBooleanOperation;
+using Surface = vtkSmartPointer<vtkPolyData>;
+
+/// The output of a filter that is set up, closed by all ways of output.
+Surface RunClosed(Filter* filter)
+{
+  EventCounter events(filter);
+  filter->Update();
+  EXPECT_EQ(events.Errors + events.Warnings, 0) << events.Error << events.Warning;
+  Surface output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+  EXPECT_EQ(Reported(output, "BadEdges"), 0.0);
+  ExpectClosed(output);
+  return output;
+}
+
+Surface CombineAtOnce(const std::vector<Surface>& solids, int operation)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int i = 0; i < solids.size(); ++i)
+  {
+    blocks->SetBlock(i, solids[i]);
+  }
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(0, blocks);
+  filter->SetOperation(operation);
+  return RunClosed(filter);
+}
+
+/// Solids at random in a room of a size; the first is as large as the room if others are taken from
+/// it.
+std::vector<Surface> MakeSolids(
+  Random& random, int count, double size, bool isFirstLarge, std::string& what)
+{
+  std::vector<Surface> solids;
+  for (int i = 0; i < count; ++i)
+  {
+    what += "; ";
+    const bool isLarge = isFirstLarge && i == 0;
+    const Mesh solid = MovedAnywhere(random, AnySolid(random, what), what);
+    const Point by = random.InBox({ -size, size, -size, size, -size, size });
+    solids.push_back(
+      MakePolyData(Transformed(solid, isLarge ? size : 1.0, isLarge ? Point{ 0, 0, 0 } : by)));
+  }
+  return solids;
+}
+
+void TryChain(int number)
+{
+  Random random(4000000u + static_cast<std::uint64_t>(number));
+  const int operation = std::array<int, 3>{ Filter::DIFFERENCE, Filter::UNION,
+    Filter::SYMMETRIC_DIFFERENCE }[number % 3];
+  std::string what;
+  const double size = operation == Filter::SYMMETRIC_DIFFERENCE ? 4.0 : 2.0;
+  const std::vector<Surface> solids =
+    MakeSolids(random, 51, size, operation == Filter::DIFFERENCE, what);
+  SCOPED_TRACE("chain " + std::to_string(number) + what);
+  Surface made = solids[0];
+  double largest = 0.0; // volume on the way
+  for (std::size_t step = 1; step < solids.size(); ++step)
+  {
+    SCOPED_TRACE(step);
+    vtkNew<Filter> filter;
+    filter->SetInputData(made);
+    filter->SetSourceData(solids[step]);
+    filter->SetOperation(operation);
+    filter->SetMergePieces(number / 3 % 2);
+    made = RunClosed(filter);
+    largest = std::max({ largest, Reported(made, "Volume"), Reported(made, "InputVolume") });
+  }
+  const Surface atOnce = CombineAtOnce(solids, operation);
+  EXPECT_NEAR(Reported(made, "Volume"), Reported(atOnce, "Volume"), 1e-12 * largest);
+}
+
+TEST(BooleanOperationChains, OfFiftyOperations)
+{
+  const int first = SetInEnvironment("SKDTREE_FUZZ_FIRST", 0);
+  const int count = std::max(1, SetInEnvironment("SKDTREE_FUZZ_PAIRS", 40) / 40);
+  for (int number = first; number < first + count; ++number)
+  {
+    TryChain(number);
+  }
+}
+}
