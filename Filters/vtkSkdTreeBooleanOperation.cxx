@@ -9,6 +9,7 @@
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "Solids/Boolean/SkdBooleanOutputs.h"
+#include "Solids/Boolean/SkdCutPlane.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -31,10 +32,53 @@ public:
   }
 
   vtkSmartPointer<vtkMatrix4x4> Matrix; // nullptr: none
+  SkdCutPlane Plane;
+
+  /// The inputs, or the Input and the plane that cuts it. Empty after an error.
+  std::optional<SkdBooleanBlocks> MakeBlocks(
+    vtkSkdTreeBooleanOperation* self, vtkDataObject* input, vtkDataObject* source);
 
   /// Finds out what is inside, if the operation needs it. False after an error.
   bool FindInside(vtkSkdTreeBooleanOperation* self);
 };
+
+std::optional<SkdBooleanBlocks> vtkSkdTreeBooleanOperation::Internals::MakeBlocks(
+  vtkSkdTreeBooleanOperation* self, vtkDataObject* input, vtkDataObject* source)
+{
+  if (source)
+  {
+    SkdBooleanBlocks blocks = SkdMakeBooleanBlocks(input, source);
+    const vtkSmartPointer<vtkMatrix4x4> motion = SkdMotionOf(self);
+    if (motion->IsIdentity())
+    {
+      return blocks;
+    }
+    blocks.Motion = skd::RigidMotion::FromMatrix(&motion->Element[0][0]);
+    if (!blocks.Motion)
+    {
+      vtkErrorWithObjectMacro(
+        self, "Translation, Rotation and RotationCenter must be finite; there is no output.");
+      return std::nullopt;
+    }
+    return blocks;
+  }
+  if (!self->UsesPlane())
+  {
+    return SkdMakeBooleanBlocks(input, nullptr);
+  }
+  const double* const x = self->PlaneOrigin;
+  const double* const n = self->PlaneNormal;
+  vtkPolyData* const plane = this->Plane.Update(SkdBlocksOf(input), { { x[0], x[1], x[2] } },
+    { { n[0], n[1], n[2] } }, self->OpenSurfaces == WINDING_NUMBER);
+  if (!plane)
+  {
+    vtkErrorWithObjectMacro(self,
+      "The plane cannot cut the Input: PlaneNormal is 0, or coordinates are too large. There is no "
+      "output.");
+    return std::nullopt;
+  }
+  return SkdMakeBooleanBlocks(input, plane);
+}
 
 bool vtkSkdTreeBooleanOperation::Internals::FindInside(vtkSkdTreeBooleanOperation* self)
 {
@@ -75,6 +119,13 @@ vtkMatrix4x4* vtkSkdTreeBooleanOperation::GetTransform()
   return this->Impl->Matrix;
 }
 
+/// Whether the plane cuts, if there is no Source.
+bool vtkSkdTreeBooleanOperation::UsesPlane() const
+{
+  return this->CutByPlane &&
+    (this->Operation == INTERSECTION || this->Operation == DIFFERENCE || this->Operation == SPLIT);
+}
+
 int vtkSkdTreeBooleanOperation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -85,19 +136,19 @@ int vtkSkdTreeBooleanOperation::RequestData(
   SkdStopwatch watch;
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
-  SkdBooleanBlocks blocks = SkdMakeBooleanBlocks(vtkDataObject::GetData(inputVector[0]), source);
-  const vtkSmartPointer<vtkMatrix4x4> motion = SkdMotionOf(this);
-  if (source && !motion->IsIdentity())
+  const bool isCutByPlane = !source && this->UsesPlane();
+  if (this->CutByPlane && !source && !isCutByPlane)
   {
-    blocks.Motion = skd::RigidMotion::FromMatrix(&motion->Element[0][0]);
-    if (!blocks.Motion)
-    {
-      vtkErrorMacro("Translation, Rotation and RotationCenter must be finite; there is no output.");
-      return 1;
-    }
+    vtkWarningMacro("CutByPlane is for Intersection, Difference and Split; it is ignored.");
   }
   Internals& solids = *this->Impl;
-  const bool areInputs = source && this->Operation != AT_LEAST;
+  const auto made = solids.MakeBlocks(this, vtkDataObject::GetData(inputVector[0]), source);
+  if (!made)
+  {
+    return 1;
+  }
+  const SkdBooleanBlocks& blocks = *made;
+  const bool areInputs = (source || isCutByPlane) && this->Operation != AT_LEAST;
   if (!solids.Update(blocks, this->ChordalDeviation, areInputs, solids.MakeRule(this), this))
   {
     return 1;
@@ -113,8 +164,9 @@ int vtkSkdTreeBooleanOperation::RequestData(
   const bool closesCut = this->CloseCut != 0;
   std::set<std::string> refused;
   const SkdBooleanTotals totals = SkdFillBooleanOutputs(solids, blocks, rule,
-    { this->KeepPolygons != 0, this->JoinPieces != 0, this->MergePieces != 0, closesCut }, output,
-    vtkPolyData::GetData(outputVector, 1), refused);
+    { this->KeepPolygons != 0, this->JoinPieces != 0, this->MergePieces != 0, closesCut,
+      isCutByPlane },
+    output, vtkPolyData::GetData(outputVector, 1), refused);
   SkdWarnAboutRefused(this, refused);
   SkdReport report(output);
   SkdReportBoolean(this, solids, rule, totals, closesCut, report);
@@ -128,7 +180,8 @@ void vtkSkdTreeBooleanOperation::PrintSelf(ostream& os, vtkIndent indent)
   SkdPrint(os, indent, "Operation", this->Operation, "MinimumNumberOfSolids",
     this->MinimumNumberOfSolids, "InsideRule", this->InsideRule, "OpenSurfaces", this->OpenSurfaces,
     "KeepPolygons", this->KeepPolygons, "JoinPieces", this->JoinPieces, "MergePieces",
-    this->MergePieces, "CloseCut", this->CloseCut, "ChordalDeviation", this->ChordalDeviation,
+    this->MergePieces, "CloseCut", this->CloseCut, "CutByPlane", this->CutByPlane, "PlaneOrigin",
+    this->PlaneOrigin, "PlaneNormal", this->PlaneNormal, "ChordalDeviation", this->ChordalDeviation,
     "Translation", this->Translation, "Rotation", this->Rotation, "RotationCenter",
     this->RotationCenter, "Transform", this->Impl->Matrix ? "set" : "none");
 }

@@ -24,6 +24,8 @@
  * is not in an intersection. Parts of the Input that the Source does not meet are on the side of
  * its nearest triangle.
  *
+ * Without a Source a plane can do the same: see CutByPlane.
+ *
  * A split has all parts of the first solid at once, each with its closed surface: two of them have
  * no point in common, and the faces of a cut are there twice, facing each other.
  *
@@ -231,6 +233,22 @@ public:
 
   //@{
   /**
+   * Whether a plane cuts the Input in an intersection, a difference or a split without a Source, as
+   * an open Source in the plane would that reaches beyond the Input: what is behind it is where
+   * PlaneNormal (of any length but 0) does not point. A plane that is normal to an axis is exactly
+   * where its origin is, any other to rounding. With WINDING_NUMBER (see OpenSurfaces) it cuts
+   * surfaces that are not closed, too; CloseCut is on then. Other operations ignore it, with a
+   * warning. Defaults off, (0, 0, 0) and (1, 0, 0).
+   */
+  vtkSetMacro(CutByPlane, vtkTypeBool);
+  vtkGetMacro(CutByPlane, vtkTypeBool);
+  vtkBooleanMacro(CutByPlane, vtkTypeBool);
+  vtkSkdTreeFinite3Macro(PlaneOrigin);
+  vtkSkdTreeFinite3Macro(PlaneNormal);
+  //@}
+
+  //@{
+  /**
    * A motion of the Source: rotated about RotationCenter by Rotation (degrees about y, then x, then
    * z, as the orientation of vtkProp3D) and translated by Translation; its points are rounded where
    * they are then. While only the motion changes, inputs are not read again, and intersections of
@@ -273,6 +291,9 @@ protected:
   vtkTypeBool JoinPieces = 1;
   vtkTypeBool MergePieces = 0;
   vtkTypeBool CloseCut = 1;
+  vtkTypeBool CutByPlane = 0;
+  double PlaneOrigin[3] = { 0.0, 0.0, 0.0 };
+  double PlaneNormal[3] = { 1.0, 0.0, 0.0 };
   double ChordalDeviation = 1e-4;
   double Translation[3] = { 0.0, 0.0, 0.0 };
   double Rotation[3] = { 0.0, 0.0, 0.0 };
@@ -281,6 +302,8 @@ protected:
 private:
   vtkSkdTreeBooleanOperation(const vtkSkdTreeBooleanOperation&) = delete;
   void operator=(const vtkSkdTreeBooleanOperation&) = delete;
+
+  bool UsesPlane() const;
 
   class Internals;
   std::unique_ptr<Internals> Impl;

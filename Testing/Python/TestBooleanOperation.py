@@ -54,6 +54,25 @@ def test_a_split_by_a_plane_has_both_parts_and_the_section():
     numpy.testing.assert_array_equal(section.GetBounds(), (-0.5, 0.5, -0.5, 0.5, 0.25, 0.25))
 
 
+def test_a_plane_cuts_without_a_source():
+    cut = simple.SkdTreeBooleanOperation(Input=simple.Box(), CutByPlane=1, PlaneNormal=[0, 0, 1])
+    assert list(cut.PlaneOrigin) == [0, 0, 0]  # the middle of the input
+    cut.PlaneOrigin = [0, 0, 0.1]
+    for operation, volume in (("Split", 1.0), ("Difference", 0.4), ("Intersection", 0.6)):
+        cut.Operation = operation
+        cut.UpdatePipeline()
+        numpy.testing.assert_allclose(cut.FieldData["SkdReportVolume"].GetRange()[0], volume, rtol=1e-14)
+        section = simple.servermanager.Fetch(cut, idx=1)
+        assert section.GetNumberOfCells() == 1 and section.GetCell(0).GetNumberOfPoints() == 4
+        numpy.testing.assert_array_equal(section.GetBounds(), (-0.5, 0.5, -0.5, 0.5, 0.1, 0.1))
+    box = simple.Box(Center=[3, 4, 5])
+    box.UpdatePipeline()
+    away = simple.SkdTreeBooleanOperation(Input=box, CutByPlane=1, Operation="Split")
+    assert list(away.PlaneOrigin) == [3, 4, 5]
+    away.UpdatePipeline()
+    numpy.testing.assert_allclose(away.FieldData["SkdReportPartVolumes"].GetRange(), (0.5, 0.5), rtol=1e-14)
+
+
 def output_of(filter_, data, **properties):
     filter_.SetInputData(data)
     for name, value in properties.items():

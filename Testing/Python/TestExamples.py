@@ -67,6 +67,10 @@ def test_boolean_holes():
     check("BooleanHoles", (), {"volume 36.023772, 0 open edges": 1}, (0.3, 0.9))
 
 
+def test_boolean_plane():
+    check("BooleanPlane", (), {"volume 1.346577 and 1.630009, 0 open edges": 1}, (0.3, 0.9))
+
+
 def test_compare_surfaces():
     words = {"Both ": 1, "largest distance of vertices of the copy: 0.000": 1}
     check("CompareSurfaces", [], words, (0.2, 0.9))

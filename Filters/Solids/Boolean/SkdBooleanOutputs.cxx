@@ -105,7 +105,7 @@ public:
 private:
   bool IsCutByASheet() const
   {
-    return this->Rule.HasSheet &&
+    return (this->Rule.HasSheet || this->Options.IsCutByPlane) &&
       (this->Rule.Operation == SkdBooleanOperation::Difference ||
         this->Rule.Operation == SkdBooleanOperation::Intersection);
   }

@@ -15,12 +15,13 @@ struct SkdBooleanOptions
   bool JoinsPieces;
   bool MergesPieces;
   bool ClosesCut;
+  bool IsCutByPlane; ///< the Source is a plane, open or as the face of a body
 };
 
 /// Fills the outputs of an operation: the surface of what is solid, or after a split of each part,
 /// one after the other, no point in two of them; and the section, what of the Source is within the
-/// Input, of operations that a sheet cuts in, and of a split. Names of arrays that are already in
-/// use are inserted into `refused`. O(n) for each part, besides SkdJoinPieces.
+/// Input, of operations that a sheet or a plane cuts in, and of a split. Names of arrays that are
+/// already in use are inserted into `refused`. O(n) for each part, besides SkdJoinPieces.
 SkdBooleanTotals SkdFillBooleanOutputs(SkdSolidArrangement& solids, const SkdBooleanBlocks& blocks,
   const SkdBooleanRule& rule, const SkdBooleanOptions& options, vtkPolyData* surface,
   vtkPolyData* section, std::set<std::string>& refused);

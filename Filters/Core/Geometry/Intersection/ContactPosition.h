@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Where edges cross, to a few units in the last place of the coordinates: the parameter comes from
-/// exact areas and volumes, so it is as good for slivers and grazing edges as for any other.
+/// exact areas and volumes, so it is as good for slivers and grazing edges as for any other. A
+/// coordinate that all points of what is crossed have is that of the crossing, without rounding.
 #ifndef skd_Geometry_Intersection_ContactPosition_h
 #define skd_Geometry_Intersection_ContactPosition_h
 
@@ -19,7 +20,12 @@ inline Vector3 CrossingWithPlane(
   const AccuratePlane plane(a, b, c);
   const double start = plane.VolumeTo(edge.A);
   const double end = plane.VolumeTo(edge.B);
-  return edge.At(start / (start - end));
+  Vector3 x = edge.At(start / (start - end));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    x[axis] = a[axis] == b[axis] && b[axis] == c[axis] ? a[axis] : x[axis];
+  }
+  return x;
 }
 
 /// Where an edge crosses another in a point that is inside of both, exactly.
@@ -37,7 +43,12 @@ inline Vector3 CrossingWithEdge(const Segment<3>& edge, const Segment<3>& other)
     const double end = AreaOf(other.A, other.B, edge.B, axis);
     if ((start > 0.0 && end < 0.0) || (start < 0.0 && end > 0.0)) // not seen edge-on
     {
-      return edge.At(start / (start - end));
+      Vector3 x = edge.At(start / (start - end));
+      for (int i = 0; i < 3; ++i)
+      {
+        x[i] = other.A[i] == other.B[i] ? other.A[i] : x[i];
+      }
+      return x;
     }
   }
   return edge.A;
