@@ -45,7 +45,9 @@ public:
   virtual int GetNumber() const = 0;
 
   /// Sends make(to) to each process, also to this one, and calls take(from, message) for what comes
-  /// from each. One message at a time is made, sent and taken: memory for two of them.
+  /// from each, empty messages, too. Small messages are passed on by others, together, in
+  /// ceil(log2(n)) messages; of the others each goes by itself, one after the other. Those that do
+  /// not fit in 64 MB together are made again when they are sent: memory for two of them.
   void Exchange(const std::function<SkdBytes(int to)>& make,
     const std::function<void(int from, SkdBytes message)>& take);
 
@@ -56,10 +58,35 @@ public:
   const SkdTraffic& GetTraffic() const { return this->Traffic; }
 
 protected:
-  /// Sends a message to one process, and returns the one that another sends to this.
-  virtual SkdBytes Shift(const SkdBytes& message, int to, int from) = 0;
+  /// Sends a message to one process, and returns the one of a size that another sends to this.
+  /// Nothing is sent of an empty message, and nothing waited for where the size is 0.
+  virtual SkdBytes Move(const SkdBytes& message, int to, int from, std::size_t size) = 0;
 
 private:
+  /// A message that others pass on; of one that is not small only its size.
+  struct Packet
+  {
+    std::uint32_t From;
+    std::uint32_t To;
+    std::uint64_t Size;
+    SkdBytes Message;
+  };
+
+  /// What is sent to each process: small messages and sizes, and by process the others.
+  struct Outgoing
+  {
+    std::vector<Packet> Packets;
+    std::vector<SkdBytes> Large;
+    std::vector<bool> IsLarge;
+  };
+
+  static void Append(const Packet& packet, SkdBytes& joined);
+  static void Unpack(const SkdBytes& joined, std::vector<Packet>& packets);
+  Outgoing Prepare(const std::function<SkdBytes(int to)>& make) const;
+  void Route(std::vector<Packet>& packets);
+  SkdBytes Shift(const SkdBytes& message, int to, int from);
+  void Count(const SkdBytes& message);
+
   SkdTraffic Traffic;
 };
 

@@ -125,6 +125,43 @@ TEST(Transport, GathersTheMessagesOfAllInAFewSteps)
   }
 }
 
+// Empty ones, small ones that others pass on, and large ones.
+TEST(Transport, EachGetsWhatEachSendsIt)
+{
+  for (const int processes : { 1, 2, 3, 4, 7, 8, 13 })
+  {
+    for (const std::size_t unit : { 1, 3000 })
+    {
+      std::mutex mutex;
+      ThreadTransport::RunAll(processes,
+        [&](SkdTransport& transport)
+        {
+          const auto messageOf = [unit](int from, int to)
+          {
+            const auto size = static_cast<std::size_t>((3 * from + 5 * to) % 7) * unit;
+            return SkdBytes(size, static_cast<char>(16 * from + to));
+          };
+          const int rank = transport.GetRank();
+          std::vector<int> times(static_cast<std::size_t>(processes), 0);
+          transport.Exchange([&](int to) { return messageOf(rank, to); },
+            [&](int from, const SkdBytes& message)
+            {
+              const std::lock_guard<std::mutex> lock(mutex);
+              ++times[static_cast<std::size_t>(from)];
+              EXPECT_EQ(message, messageOf(from, rank)) << from << " to " << rank;
+            });
+          const std::lock_guard<std::mutex> lock(mutex);
+          EXPECT_EQ(times, std::vector<int>(times.size(), 1));
+          if (unit == 1)
+          {
+            EXPECT_LE(transport.GetTraffic().Messages,
+              static_cast<std::uint64_t>(std::ceil(std::log2(processes))));
+          }
+        });
+    }
+  }
+}
+
 // A box of a curved cell contains more than its points; a ghost's or a broken cell's is empty.
 TEST(Cut, BoxesAreOfCellsThatCount)
 {

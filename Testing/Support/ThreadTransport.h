@@ -49,11 +49,19 @@ public:
   int GetNumber() const override { return this->Boxes.Number; }
 
 protected:
-  skdtree::SkdBytes Shift(const skdtree::SkdBytes& message, int to, int from) override
+  skdtree::SkdBytes Move(
+    const skdtree::SkdBytes& message, int to, int from, std::size_t size) override
   {
     std::unique_lock<std::mutex> lock(this->Boxes.Mutex);
-    this->Boxes.Of(this->Rank, to).push_back(message);
-    this->Boxes.Changed.notify_all();
+    if (!message.empty())
+    {
+      this->Boxes.Of(this->Rank, to).push_back(message);
+      this->Boxes.Changed.notify_all();
+    }
+    if (size == 0)
+    {
+      return {};
+    }
     std::deque<skdtree::SkdBytes>& in = this->Boxes.Of(from, this->Rank);
     this->Boxes.Changed.wait(lock, [&]() { return !in.empty(); });
     skdtree::SkdBytes received = std::move(in.front());
