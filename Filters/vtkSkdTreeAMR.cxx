@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeAMR.h"
 
+#include "Exchange/SkdFilterInputs.h"
 #include "Meshing/Refine/SkdBaseLattice.h"
 #include "Meshing/Refine/SkdGridEstimate.h"
 #include "Meshing/Refine/SkdGridOutput.h"
 #include "Meshing/Refine/SkdGridReport.h"
+#include "Meshing/Refine/SkdOwnBoxes.h"
 #include "Meshing/Refine/SkdRefineState.h"
 #include "Meshing/Refine/SkdShowEstimate.h"
 #include "Pipeline/SkdJoinedShape.h"
@@ -16,8 +18,10 @@
 #include "Remap/SkdRemapPair.h"
 #include "Remap/SkdRemapper.h"
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
@@ -35,7 +39,8 @@ namespace
 constexpr int OutputVtkTypes[] = { VTK_HYPER_TREE_GRID, VTK_UNSTRUCTURED_GRID,
   VTK_OVERLAPPING_AMR };
 
-SkdBaseLattice MakeLattice(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, const SkdParts& parts)
+/// Within the bounds of the parts.
+SkdBaseLattice MakeLattice(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, const skd::Box3& ofParts)
 {
   if (baseMesh)
   {
@@ -54,7 +59,36 @@ SkdBaseLattice MakeLattice(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, const S
       return { std::nullopt, "its bounds are empty" };
     }
   }
-  return SkdMakeBaseLattice(settings, parts.GetBounds(), self->GetBranchFactor());
+  return SkdMakeBaseLattice(settings, ofParts, self->GetBranchFactor());
+}
+
+/// Of the cells that all processes have, as the trees' will be.
+skd::Box3 FindBounds(vtkDataObject* piece, vtkMultiProcessController* controller)
+{
+  skd::Box3 own;
+  for (const SkdBlock& block : SkdBlocksOf(piece))
+  {
+    for (const skd::Box3& box : SkdBoxesOfCells(block.Mesh, true))
+    {
+      own.Add(box);
+    }
+  }
+  double here[6];
+  double all[6];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    here[axis] = -own.Min[axis];
+    here[axis + 3] = own.Max[axis];
+  }
+  controller->AllReduce(here, all, 6, vtkCommunicator::MAX_OP);
+  return { { { -all[0], -all[1], -all[2] } }, { { all[3], all[4], all[5] } } };
+}
+
+/// What neighbours of the own base cells a process refines, too: what hangs on a cell, these
+/// decide.
+int KnownLayersOf(vtkSkdTreeAMR* self)
+{
+  return self->GetOutputType() == vtkSkdTreeAMR::UNSTRUCTURED_GRID ? 1 : 0;
 }
 
 /// The part of the grid that this process is to make.
@@ -68,10 +102,12 @@ void OwnPiece(SkdGrid& grid, vtkInformation* output)
   }
 }
 
-bool IsAnyCut(const SkdGrid& grid)
+/// On any process.
+bool IsAnyCut(const SkdGrid& grid, const skd::Processes* processes)
 {
   const std::vector<unsigned char>& cut = grid.Levels.front().Cut;
-  return std::count(cut.begin(), cut.end(), 1) > 0;
+  const bool isCut = std::count(cut.begin(), cut.end(), 1) > 0;
+  return processes ? processes->IsAny(isCut) : isCut;
 }
 
 /// Nothing, if there are parts' cells.
@@ -83,14 +119,14 @@ std::string WhyThereAreNoParts(const SkdParts& parts)
     : " (All cells of Input are ignored: " + SkdWhyCellsAreLeftOut(SkdComparable) + ")";
 }
 
-void WarnAbout(
-  vtkSkdTreeAMR* self, const SkdGrid& grid, const SkdParts& parts, const SkdGridEstimate& estimate)
+void WarnAbout(vtkSkdTreeAMR* self, const SkdGrid& grid, const SkdParts& parts, bool isAnyCut,
+  const SkdGridEstimate& estimate)
 {
   if (parts.GetNumberOfParts() == 0)
   {
     vtkWarningWithObjectMacro(self, "Input has no cells; the base mesh is not refined.");
   }
-  else if (!IsAnyCut(grid))
+  else if (!isAnyCut)
   {
     vtkWarningWithObjectMacro(self,
       "The parts do not intersect the base mesh; nothing is refined. Correct BaseBounds or "
@@ -135,7 +171,7 @@ SkdGridRequests RequestsOf(vtkSkdTreeAMR* self)
 
 std::optional<SkdGrid> MakeGrid(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, const SkdParts& parts)
 {
-  const SkdBaseLattice base = MakeLattice(self, baseMesh, parts);
+  const SkdBaseLattice base = MakeLattice(self, baseMesh, parts.GetBounds());
   if (!base.Lattice)
   {
     vtkErrorWithObjectMacro(
@@ -193,16 +229,13 @@ std::optional<int> UpdateTrees(
 }
 
 /// Estimates the size, refines the grid, and reports warnings.
-SkdGridEstimate Refine(
-  vtkSkdTreeAMR* self, const SkdRefineState& state, const skd::Processes* processes, SkdGrid& grid)
+SkdGridEstimate Refine(vtkSkdTreeAMR* self, const SkdRefineState& state, bool isOnItsOwn,
+  const skd::Processes* processes, SkdGrid& grid)
 {
   SkdRefineSettings settings = MakeSettings(self, state);
-  const bool isOnItsOwn = grid.Pieces > 1 && self->GetBalance() == vtkSkdTreeAMR::NONE &&
-    self->GetGrowingLayers() == 0 && self->GetOutputType() != vtkSkdTreeAMR::OVERLAPPING_AMR;
   if (isOnItsOwn)
   {
-    // What hangs on a cell, neighbours decide.
-    settings.KnownLayers = self->GetOutputType() == vtkSkdTreeAMR::UNSTRUCTURED_GRID ? 1 : 0;
+    settings.KnownLayers = KnownLayersOf(self);
     settings.Processes = processes;
   }
   const SkdGridEstimate estimate = SkdEstimateGrid(grid, state.Parts, settings, RequestsOf(self),
@@ -210,7 +243,7 @@ SkdGridEstimate Refine(
   SkdShowEstimate(self, estimate.Cells, estimate.Bytes, estimate.Seconds);
   SkdGridRefiner(self, 0.1, 0.6, grid, state.Parts, settings).Refine();
   self->SetProgressText(nullptr);
-  WarnAbout(self, grid, state.Parts, estimate);
+  WarnAbout(self, grid, state.Parts, IsAnyCut(grid, isOnItsOwn ? processes : nullptr), estimate);
   return estimate;
 }
 
@@ -265,6 +298,59 @@ void vtkSkdTreeAMR::SetBaseMeshData(vtkDataObject* mesh)
 }
 
 //------------------------------------------------------------------------------
+bool vtkSkdTreeAMR::RefinesOwn() const
+{
+  return this->Balance == NONE && this->GrowingLayers == 0 && this->OutputType != OVERLAPPING_AMR;
+}
+
+// Which parts intersect a base cell's descendants, and how many of their cells, is known where all
+// that may is there.
+bool vtkSkdTreeAMR::FindRange(int port, SkdSearchRange& range) const
+{
+  range.OfDiagonal = range.OfOwnDiagonal = 1e-3; // more than any rounding
+  range.WithNearest = this->ComputeDistance;
+  for (const SkdDistanceBand& band : this->State->Bands)
+  {
+    range.Distance = std::max(range.Distance, band.Distance);
+  }
+  return port == 0 && this->RefinesOwn() && this->OverlapTest == EXACT && this->InsideLevel == 0 &&
+    !this->RefineByNormalDeviation && !this->ComputeInside && !this->ComputeVolumeFraction;
+}
+
+// The base cells of this process, which depend on the bounds of all parts.
+void vtkSkdTreeAMR::SetUpInputs(SkdFilterInputs& inputs)
+{
+  inputs.SetDistribution(static_cast<SkdFilterInputs::Distribution>(this->SourceDistribution),
+    [this](int port, SkdSearchRange& range)
+    { return this->State->OwnBoxes && this->FindRange(port, range); });
+  inputs.SetOwn(
+    [this, &inputs](vtkInformationVector* outputs) -> vtkDataObject*
+    {
+      vtkInformation* output = outputs->GetInformationObject(0);
+      vtkMultiProcessController* controller = SkdControllerOf(output);
+      vtkSmartPointer<vtkPolyData>& boxes = this->State->OwnBoxes;
+      SkdSearchRange range;
+      if (!controller || this->SourceDistribution == SOURCE_REPLICATED ||
+        this->GetNumberOfInputConnections(1) > 0 || !this->FindRange(0, range))
+      {
+        boxes = nullptr;
+        return nullptr;
+      }
+      const SkdBaseLattice base =
+        MakeLattice(this, nullptr, FindBounds(inputs.GetPiece(0), controller));
+      const bool isUsable =
+        base.Lattice && base.Lattice->NumberOfBaseCells() <= this->GetCellLimit();
+      if (isUsable)
+      {
+        SkdGrid grid(*base.Lattice);
+        OwnPiece(grid, output);
+        SkdUpdateOwnBoxes(grid, KnownLayersOf(this), boxes);
+      }
+      boxes = isUsable ? boxes : nullptr; // the same on all processes
+      return boxes;
+    });
+}
+
 int vtkSkdTreeAMR::FillInputPortInformation(int port, vtkInformation* info)
 {
   this->Superclass::FillInputPortInformation(port, info);
@@ -312,7 +398,8 @@ int vtkSkdTreeAMR::RequestData(
   }
   OwnPiece(*grid, outputVector->GetInformationObject(0));
   const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
-  const SkdGridEstimate estimate = Refine(this, state, processes.get(), *grid);
+  const SkdGridEstimate estimate =
+    Refine(this, state, grid->Pieces > 1 && this->RefinesOwn(), processes.get(), *grid);
   SkdGridExtras extras =
     SkdFindExtras(*grid, RequestsOf(this), state.Parts, state.Enclosure, this, 0.6, 0.85);
   if (this->ComputeField)
@@ -332,11 +419,11 @@ int vtkSkdTreeAMR::RequestData(
 void vtkSkdTreeAMR::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  SkdPrint(os, indent, "AutomaticBounds", this->AutomaticBounds, "BoundsMargin", this->BoundsMargin,
-    "BaseBounds", this->BaseBounds, "BaseDimensions", this->BaseDimensions, "BaseCellSize",
-    this->BaseCellSize, "BranchFactor", this->BranchFactor, "ComputeInside", this->ComputeInside,
-    "ComputeVolumeFraction", this->ComputeVolumeFraction, "ComputeDistance", this->ComputeDistance,
-    "ComputeField", this->ComputeField, "OutputType", this->OutputType, "Conforming",
-    this->Conforming);
+  SkdPrint(os, indent, "SourceDistribution", this->SourceDistribution, "AutomaticBounds",
+    this->AutomaticBounds, "BoundsMargin", this->BoundsMargin, "BaseBounds", this->BaseBounds,
+    "BaseDimensions", this->BaseDimensions, "BaseCellSize", this->BaseCellSize, "BranchFactor",
+    this->BranchFactor, "ComputeInside", this->ComputeInside, "ComputeVolumeFraction",
+    this->ComputeVolumeFraction, "ComputeDistance", this->ComputeDistance, "ComputeField",
+    this->ComputeField, "OutputType", this->OutputType, "Conforming", this->Conforming);
 }
 VTK_ABI_NAMESPACE_END

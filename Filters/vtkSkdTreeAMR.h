@@ -59,11 +59,11 @@
  *
  * Several processes divide the base cells among themselves, in order, and each outputs its own with
  * all their descendants (of an overlapping AMR data set, every n-th block); together the result is
- * that of one process, including CellLimit. Each needs all of the parts. Without Balance and
+ * that of one process, including CellLimit. Without Balance and
  * GrowingLayers each refines only its own base cells (of an unstructured grid also the adjacent
  * ones, for hanging nodes), and all processes must update, because they count their cells together.
- * With these, and for overlapping AMR data sets, each refines all. Reports count a process's own
- * cells.
+ * With these, and for overlapping AMR data sets, each refines all. Of the parts each gets all, or
+ * what is near its own base cells: see SetSourceDistribution. Reports count a process's own cells.
  *
  * Bad input, each with one warning or error: an Input without cells gives the base grid unrefined
  * if it is set, else an empty output. A base grid that no part intersects is not refined. A base
@@ -83,6 +83,11 @@
 #include "vtkSkdTreeRefineAlgorithm.h"
 #include "vtkSkdTreeSetWithin.h" // For properties that have a range
 #include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
+
+namespace skdtree
+{
+struct SkdSearchRange;
+}
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -107,6 +112,24 @@ public:
     UNSTRUCTURED_GRID = 1,
     OVERLAPPING_AMR = 2
   };
+
+  enum SourceDistributions
+  {
+    SOURCE_AUTOMATIC = 0,
+    SOURCE_REPLICATED = 1,
+    SOURCE_EXCHANGED = 2
+  };
+
+  //@{
+  /**
+   * What each process gets of parts that lie in pieces on several: see vtkSkdTreeSourceAlgorithm.
+   * SOURCE_EXCHANGED: those of their cells that are near its own base cells, as far as distance
+   * bands go, or with ComputeDistance what is nearest. They are gathered where a process refines
+   * all of the grid (Balance, GrowingLayers, OVERLAPPING_AMR), with a BaseMesh, InsideLevel,
+   * ComputeInside, ComputeVolumeFraction, RefineByNormalDeviation or BLIND; so is Field always.
+   */
+  vtkSkdTreeChoiceMacro(SourceDistribution, SOURCE_AUTOMATIC, SOURCE_EXCHANGED);
+  //@}
 
   //@{
   /**
@@ -218,11 +241,13 @@ protected:
   vtkSkdTreeAMR();
   ~vtkSkdTreeAMR() override;
 
+  void SetUpInputs(skdtree::SkdFilterInputs& inputs) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  int SourceDistribution = SOURCE_AUTOMATIC;
   bool AutomaticBounds = true;
   double BoundsMargin = 0.1;
   double BaseBounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
@@ -237,6 +262,10 @@ protected:
   bool Conforming = false;
 
 private:
+  /// Whether a process refines only its own part of the grid.
+  bool RefinesOwn() const;
+  bool FindRange(int port, skdtree::SkdSearchRange& range) const;
+
   vtkSkdTreeAMR(const vtkSkdTreeAMR&) = delete;
   void operator=(const vtkSkdTreeAMR&) = delete;
 };

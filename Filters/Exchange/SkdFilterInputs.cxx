@@ -81,12 +81,16 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
   {
     this->Pieces.emplace_back(vtkDataObject::GetData(valid.Get()[port]));
   }
+  vtkDataObject* const own = this->Own ? this->Own(outputs) : nullptr;
   for (int port = 0; port < this->Filter->GetNumberOfInputPorts(); ++port)
   {
     retained.push_back(vtkSmartPointer<vtkInformationVector>::New());
     retained.back()->Copy(valid.Get()[port]);
+    vtkDataObject* const first = vtkDataObject::GetData(retained.front());
     this->GatherInto(retained.back(), port,
-      this->FindMutual ? this->GetPiece(1 - port) : vtkDataObject::GetData(retained.front()));
+      this->Own            ? own
+        : this->FindMutual ? this->GetPiece(1 - port)
+                           : first);
     whole.push_back(retained.back());
   }
   if (!this->CheckGlobalIds())

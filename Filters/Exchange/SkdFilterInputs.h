@@ -55,6 +55,13 @@ public:
     this->Find = std::move(find);
   }
 
+  /// For filters whose answers are not where port 0 is: what the cells in range are to be near, of
+  /// this process; nullptr where nothing is exchanged. The same object as long as it does not
+  /// change.
+  using FindOwn = std::function<vtkDataObject*(vtkInformationVector* outputs)>;
+
+  void SetOwn(FindOwn find) { this->Own = std::move(find); }
+
   /// For filters that need of both inputs, each near what a process has of the other, the cells in
   /// a range (SkdSearchRange::IsMutual), as long as `find` says so: both are distributed alike.
   void SetMutual(std::function<bool(SkdSearchRange& range)> find)
@@ -125,6 +132,7 @@ private:
   Distribution Wanted = Distribution::Replicated;
   FindSearchRange Find;
   std::function<bool(SkdSearchRange& range)> FindMutual;
+  FindOwn Own;
   IsWhole Asks;
   std::vector<vtkSmartPointer<vtkDataObject>> Pieces;   // by port, during a REQUEST_DATA
   std::map<std::pair<int, int>, SkdWholeInput> Whole;   // by port and connection

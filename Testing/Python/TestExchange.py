@@ -23,7 +23,8 @@ import skdpieces
 EXCHANGED = {"closest", "closest data", "closest of both", "closest signed", "inside",
     "inside cells", "inside of blocks", "blocks", "data of blocks", "contour", "outer surface",
     "rays from outside", "all hits", "hits within a length", "in a mesh", "probe", "intersection",
-    "overlapping cells", "thickness of cells", "refined", "compared"}
+    "overlapping cells", "thickness of cells", "refined", "compared",
+    "grid near surfaces"}
 # Cases in which it turns out that pieces do not do.
 GATHERED = {"signed, bodies that overlap", "signed, open", "inside of open"}
 RUNS = {
@@ -70,10 +71,8 @@ def everything(proxy):
                     ids = data.GetNode(node).GetSelectionList()
                     found[f"{name}node {node}"] = vtk_to_numpy(ids)
                 continue
-            points = [data.GetPoint(i) for i in range(data.GetNumberOfPoints())]
-            cells = [data.GetCell(i).GetBounds() for i in range(data.GetNumberOfCells())]
-            found[name + "points"] = numpy.array(points)
-            found[name + "cells"] = numpy.array(cells)
+            found[name + "points"] = skdpieces.locations(data, of_cells=False)
+            found[name + "cells"] = skdpieces.locations(data, of_cells=True)
             found.update(arrays_of(data.GetPointData(), name + "point array "))
             found.update(arrays_of(data.GetCellData(), name + "cell array "))
     return found

@@ -33,9 +33,8 @@ def rows(proxy, arrays, port=0, of_cells=False):
     count = data.GetNumberOfCells() if of_cells else data.GetNumberOfPoints()
     if count == 0:
         return None
-    get = (lambda i: data.GetCell(i).GetBounds()) if of_cells else data.GetPoint
     attributes = data.GetCellData() if of_cells else data.GetPointData()
-    columns = [numpy.array([get(i) for i in range(count)])]
+    columns = [skdpieces.locations(data, of_cells)]
     for name in arrays:
         columns.append(vtk_to_numpy(attributes.GetArray(name)).reshape(count, -1))
     result = numpy.nan_to_num(numpy.hstack(columns), nan=WITHOUT_VALUE)

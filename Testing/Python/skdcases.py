@@ -130,6 +130,10 @@ def cases(partition):
     yield "grid", Case(
         simple.SkdTreeAMR(Input=ball, Field=cells, FieldArrays=["Field"], ComputeInside=1,
             OutputType="Unstructured Grid", MaximumLevel=3), ["SkdInside"], of_cells=True)
+    yield "grid near surfaces", Case(
+        simple.SkdTreeAMR(Input=blocks, OutputType="Unstructured Grid", MaximumLevel=3,
+            DistanceBands=[0.3, 2], ComputeDistance=1),
+        ["SkdLevel", "SkdPartIndex", "SkdCandidates", "SkdDistance"], of_cells=True)
     yield "refined", Case(
         simple.SkdTreeMeshRefinement(Input=cells, Parts=ball, MaximumLevel=2,
             DistanceBands=[0.4, 1]), ["SkdLevel"], of_cells=True)

@@ -9,7 +9,7 @@ import sys
 
 import numpy
 import skdtesting
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkIdList
 from vtkmodules.vtkCommonDataModel import (VTK_LINE, vtkDataSetAttributes, vtkPolyData,
     vtkUnstructuredGrid)
@@ -138,6 +138,26 @@ def points_of(mesh, cell):
     ids = vtkIdList()
     mesh.GetCellPoints(int(cell), ids)
     return [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
+
+
+def locations(data, of_cells):
+    """A row for each point, its coordinates, or for each cell, its bounds."""
+    if not data.IsA("vtkUnstructuredGrid") and not data.IsA("vtkPolyData"):
+        if of_cells:
+            return numpy.array([data.GetCell(i).GetBounds() for i in range(data.GetNumberOfCells())])
+        return numpy.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
+    points = vtk_to_numpy(data.GetPoints().GetData()) if data.GetPoints() else numpy.empty((0, 3))
+    if not of_cells:
+        return points
+    names = ("Cells",) if data.IsA("vtkUnstructuredGrid") else ("Verts", "Lines", "Polys", "Strips")
+    bounds = [numpy.empty((0, 6))]
+    for cells in (getattr(data, "Get" + name)() for name in names):
+        if cells is not None and cells.GetNumberOfCells() > 0:
+            corners = points[vtk_to_numpy(cells.GetConnectivityArray())]
+            first = vtk_to_numpy(cells.GetOffsetsArray())[:-1]
+            ends = [extreme.reduceat(corners, first) for extreme in (numpy.minimum, numpy.maximum)]
+            bounds.append(numpy.stack(ends, axis=2).reshape(-1, 6))
+    return numpy.vstack(bounds)
 
 
 def owners(mesh, partition, processes):

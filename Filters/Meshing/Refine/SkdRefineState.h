@@ -12,6 +12,9 @@
 #include "Meshing/Refine/SkdEnclosure.h"
 #include "Meshing/Refine/SkdFieldCriterion.h"
 
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
 #include <map>
 #include <set>
 #include <string>
@@ -55,6 +58,9 @@ public:
   SkdParts Parts;
   SkdEnclosure Enclosure; ///< of the parts, if something needs it
   SkdFieldCriterion Field;
+
+  /// Where a process refines a grid, if it needs only the parts near it: see SkdUpdateOwnBoxes().
+  vtkSmartPointer<vtkPolyData> OwnBoxes;
 
   /// Updates the trees of the parts and, if needed, of the field, and warns about missing arrays.
   /// Returns the number of trees built for parts. Throws like SkdParts::Update().
