@@ -3,6 +3,8 @@
 """The pages of the user guide, and ParaView's help made from them.
 
     python3 pages.py --update         writes what the proxies' XML says into the pages
+    python3 pages.py --new SkdTreeX   writes the headings of the page of a new filter, and its row in
+                                      the list of pages
     python3 pages.py --html <folder>  writes the pages as HTML, for ParaView's help
 
 Descriptions of filters and properties are written once, in Plugin/XML: a page holds a copy of them
@@ -24,6 +26,8 @@ import xml.etree.ElementTree
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 XML_FOLDER = os.path.join(FOLDER, os.pardir, "XML")
+SECTIONS = ["What it answers", "When to use it", "Properties", "Accuracy and cost", "Limits",
+    "In the window", "In pvpython"]
 BLOCK = re.compile(r"(<!-- (\w+): (\w+) -->\n)(.*?)(<!-- end -->)", re.DOTALL)
 
 
@@ -109,6 +113,41 @@ def update():
     known = proxies()
     for path in page_files():
         write(path, updated(read(path), known))
+
+
+# A new page
+
+
+def begun(proxy):
+    """The page of a proxy before anything is written but its XML."""
+    name = proxy.get("name")
+    blocks = {"What it answers": "description", "Properties": "properties"}
+    text = "# %s\n" % proxy.get("label")
+    for title in SECTIONS:
+        text += "\n## %s\n" % title
+        if title in blocks:
+            text += "\n<!-- %s: %s -->\n<!-- end -->\n" % (name, blocks[title])
+    return updated(text, {name: (None, proxy)})
+
+
+def with_row(text, proxy):
+    """The list of pages with a row for a proxy, after those of the filters."""
+    link = "[%s](%s.md)" % (proxy.get("label"), proxy.get("name"))
+    subject = proxy.find("Documentation").get("short_help").rstrip(".")
+    rows = list(re.finditer(r"^\| \[SkdTree .*\n", text, re.MULTILINE))
+    if link in text:
+        return text
+    row = "| %s | %s |\n" % (link, subject[:1].lower() + subject[1:])
+    return text[:rows[-1].end()] + row + text[rows[-1].end():]
+
+
+def begin(name):
+    proxy = proxies()[name][1]
+    path = os.path.join(FOLDER, name + ".md")
+    if not os.path.exists(path):
+        write(path, begun(proxy))
+    contents = os.path.join(FOLDER, "README.md")
+    write(contents, with_row(read(contents), proxy))
 
 
 # HTML, of as much Markdown as the pages use
@@ -226,6 +265,8 @@ def write_html(folder):
 if __name__ == "__main__":
     if sys.argv[1:] == ["--update"]:
         update()
+    elif sys.argv[1:2] == ["--new"] and len(sys.argv) == 3:
+        begin(sys.argv[2])
     elif sys.argv[1:2] == ["--html"] and len(sys.argv) == 3:
         write_html(sys.argv[2])
     else:

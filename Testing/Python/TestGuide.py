@@ -21,9 +21,8 @@ FOLDER = os.path.join(skdtesting.SOURCE_DIR, "Plugin", "Documentation")
 sys.path.insert(0, FOLDER)
 import pages  # noqa: E402
 
-SECTIONS = ["What it answers", "When to use it", "Properties", "Accuracy and cost", "Limits",
-    "In the window", "In pvpython"]
 RUN_UPDATE = "run: python3 Plugin/Documentation/pages.py --update"
+RUN_NEW = "run: python3 Plugin/Documentation/pages.py --new %s, and write what is missing"
 
 
 def page_of(name):
@@ -53,15 +52,38 @@ def test_pages_say_what_the_xml_says():
         assert pages.updated(text, known) == text, name + " is out of date, " + RUN_UPDATE
 
 
+def sections_of(text):
+    """{title: what is below it}"""
+    parts = re.split(r"^## (.*)$", text, flags=re.MULTILINE)
+    return dict(zip(parts[1::2], map(str.strip, parts[2::2])))
+
+
 def test_every_proxy_has_a_page_with_all_sections():
+    contents = page_of("README")
     for _, proxy in skdtesting.our_proxies():
-        text = page_of(proxy.get("name"))
-        assert text.startswith("# %s\n" % proxy.get("label")), proxy.get("name")
-        titles = re.findall(r"^## (.*)$", text, re.MULTILINE)
-        assert [title for title in titles if title in SECTIONS] == SECTIONS, titles
+        name = proxy.get("name")
+        assert name + ".md" in guide(), RUN_NEW % name
+        text = page_of(name)
+        assert text.startswith("# %s\n" % proxy.get("label")), name
+        sections = sections_of(text)
+        assert [title for title in sections if title in pages.SECTIONS] == pages.SECTIONS, RUN_NEW % name
+        empty = [title for title in sections if not sections[title]]
+        assert not empty, (name, "these sections are empty", empty)
         for kind in ("description", "properties"):
-            assert "<!-- %s: %s -->" % (proxy.get("name"), kind) in text
-        assert "](%s.md)" % proxy.get("name") in page_of("README")
+            assert "<!-- %s: %s -->" % (name, kind) in text
+        assert "](%s.md)" % name in contents, RUN_NEW % name
+
+
+def test_a_new_page_has_what_the_xml_says():
+    contents = "# Guide\n\n| [SkdTree A](SkdTreeA.md) | a |\n| [Building](Building.md) | b |\n"
+    for _, proxy in skdtesting.our_proxies():
+        begun, sections = sections_of(pages.begun(proxy)), sections_of(page_of(proxy.get("name")))
+        assert list(begun) == pages.SECTIONS
+        assert begun["Properties"] in sections["Properties"], proxy.get("name")
+        assert pages.text_of(proxy) in begun["What it answers"]
+        longer = pages.with_row(contents, proxy)
+        assert longer.splitlines()[3].startswith("| [%s](" % proxy.get("label")), longer
+        assert pages.with_row(longer, proxy) == longer
 
 
 def shown_default(prop, element):
@@ -158,7 +180,7 @@ def test_recipes_run_and_pages_name_their_arrays():
                 elif array.startswith("SkdReport"):
                     assert re.search(r"\b%s\b" % array[9:], reports), (name, array)
                 else:
-                    assert "**%s**" % array in text, (name, array)
+                    assert "**%s**" % array in text, (name, array, "is to be named in bold")
     os.chdir(folder)
 
 
