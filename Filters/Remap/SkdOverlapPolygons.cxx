@@ -297,7 +297,7 @@ void SkdOverlapReader::AddSegment(const Corner& a, const Corner& b)
 }
 
 //------------------------------------------------------------------------------
-// The points that were seen, all of a cell. Of the two parts of a sphere that a polygon may be the
+// The points that were read, all of a cell. Of the two parts of a sphere that a polygon may be the
 // smaller one is read: how it was ordered tells later if that was right.
 void SkdOverlapReader::AddWholePolygon()
 {

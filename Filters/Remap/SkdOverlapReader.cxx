@@ -115,7 +115,7 @@ void SkdOverlapReader::ReadSimplices(std::uint32_t cell)
   }
 }
 
-// Of the points that were seen.
+// Of the points that were read.
 void SkdOverlapReader::AddSimplices()
 {
   const skd::SimplexSet& set = this->Simplices;
@@ -148,7 +148,7 @@ vtkIdType SkdOverlapReader::AddWeights(const double* weights)
   return -1 - first;
 }
 
-// The points seen are the cell's own.
+// The points read are the cell's own.
 void SkdOverlapReader::TakeOwnPoints()
 {
   if (this->NumberOfOwnPoints() == 0)

@@ -170,7 +170,7 @@ void ReadPoly(SimplexSet& set, const SkdPolyCell& cell)
 
 //------------------------------------------------------------------------------
 /// The boundary of what `size` points in turn are a piece of each: of tetrahedra the triangles that
-/// one alone has. Points in the same place are one.
+/// one alone has. Points at the same position are one.
 class Pieces
 {
 public:

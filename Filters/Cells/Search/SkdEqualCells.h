@@ -23,9 +23,9 @@ public:
   /// O(N log N), in parallel for the most part.
   explicit SkdEqualCells(const SkdCellStore& store);
 
-  /// Whether there may be so many in one place that it matters: some node has equal boxes only. Of
-  /// large trees a sample of the nodes is looked at, in which no group of a thousandth of all cells
-  /// is missed.
+  /// Whether there may be so many at one position that it matters: some node has equal boxes only.
+  /// Of large trees a sample of the nodes is looked at, in which no group of a thousandth of all
+  /// cells is missed.
   static bool AreLikely(const skd::Tree<3>& tree);
 
   /// The first of each group, ascending: as many as the store has if no two are equal.

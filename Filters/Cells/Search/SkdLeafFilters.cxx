@@ -41,7 +41,7 @@ void VisitShapeOf(const SkdVolumeKernel<Shape>&, const Visit& visit)
   visit(Shape());
 }
 
-/// Calls visit(shape) with a linear volume cell that may be turned; a voxel's box says it all.
+/// Calls visit(shape) with a linear volume cell that may be rotated; a voxel's box says it all.
 template <class Visit>
 void VisitVolume(SkdShape shape, const Visit& visit)
 {

@@ -14,7 +14,7 @@ constexpr double MostTriangles = 1 << 21;
 /// Each halves the edges of what makes most of the error, down to the resolution of coordinates.
 constexpr int MostRounds = 48;
 
-/// A place and its distance, negative inside.
+/// A point and its distance, negative inside.
 struct KnownDistance
 {
   skd::Vector3 At;

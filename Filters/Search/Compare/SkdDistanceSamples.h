@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdDistanceSamples.h
- * @brief Distances of a surface from another at places spread over it, as many as statistics need.
+ * @brief Distances of a surface from another at points spread over it, as many as statistics need.
  */
 
 #ifndef SkdDistanceSamples_h

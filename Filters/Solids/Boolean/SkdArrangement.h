@@ -65,7 +65,7 @@ std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlace
 /// Splits a set along all its intersections with itself. O(n) for n facets, plus exact tests at
 /// edges in which more than two of them meet; a few microseconds for each that is a piece of a
 /// triangle. Empty after an abort. Is not made if segments along which triangles are split meet
-/// each other in more than `mostEvents` places.
+/// each other in more than `mostEvents` points.
 std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement, const SkdSelfPairs& pairs,
   SkdLoop& loop, std::size_t mostEvents = std::numeric_limits<std::size_t>::max());
 }

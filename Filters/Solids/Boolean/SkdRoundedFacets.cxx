@@ -91,7 +91,7 @@ std::vector<std::uint32_t> SkdFindEqualPoints(
     filter.Add(storedAt(point));
   }
   SkdWeld weld(facets.NewPoints.size());
-  std::vector<std::uint32_t> firsts; // of each place
+  std::vector<std::uint32_t> firsts; // of each position
   std::vector<std::uint32_t> lowest;
   for (std::uint32_t point = given == end ? end : 0; point < end; ++point)
   {

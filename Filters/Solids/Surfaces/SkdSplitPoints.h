@@ -75,7 +75,7 @@ private:
   std::vector<Crossing> Crossings;
   std::vector<skd::Vector3> Positions;
   mutable std::deque<std::atomic<const skd::ExactPoint*>> Exact; // nullptr: not known yet
-  skd::DisjointSets<> Same;                                      // points of one place
+  skd::DisjointSets<> Same;                                      // points of one position
 };
 }
 

@@ -6,7 +6,7 @@
 
 namespace skdtree
 {
-/// A segment of one pair: its ends with their places in the pair's contact.
+/// A segment of one pair: its ends with their indices in the pair's contact.
 struct SkdSplitSegments::PairSegment
 {
   std::uint32_t A;

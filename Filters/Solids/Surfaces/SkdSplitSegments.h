@@ -68,7 +68,7 @@ struct SkdSplitEvent
 {
   enum Kinds
   {
-    Same, ///< points A and B have one place
+    Same, ///< points A and B have one position
     On,   ///< point B is on segment A
     Cross ///< segments A and B cross, as seen along the axis
   };
@@ -88,7 +88,7 @@ class SkdSplitSegments
 public:
   static constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
 
-  /// Of more than `mostEvents` places where segments meet each other none is used: see IsTooMany().
+  /// Of more than `mostEvents` points where segments meet each other none is used: see IsTooMany().
   SkdSplitSegments(const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs,
     const SkdContactPoints& contacts,
     std::size_t mostEvents = std::numeric_limits<std::size_t>::max());

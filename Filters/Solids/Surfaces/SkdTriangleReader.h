@@ -54,7 +54,7 @@ struct SkdReadTriangles
   skd::RawVector<SkdTrianglePoint> Origins; ///< of each point
   skd::RawVector<Corners> Triangles;        ///< in the order of their cells
   skd::RawVector<SkdTriangleCell> Cells;    ///< ascending
-  skd::RawVector<std::uint32_t> CellOf;     ///< of each triangle its place in Cells
+  skd::RawVector<std::uint32_t> CellOf;     ///< of each triangle its index in Cells
   vtkIdType LeftOut = 0;                    ///< faces that are none
   vtkIdType CoarseFaces = 0;                ///< see SkdBlockSurface
   skd::Box3 Bounds;                         ///< of the points

@@ -176,7 +176,7 @@ void SkdTriangleSet::MakeCornersOne(const std::vector<std::uint32_t>& triangles)
     }
   }
   SkdWeld weld;
-  std::vector<std::uint32_t> first; // of the points at the places that the weld has
+  std::vector<std::uint32_t> first; // of the points at the positions that the weld has
   skd::RawVector<std::uint32_t> firstLike(this->Read.Points.size()); // set of those in the filter
   for (std::size_t i = 0; i < this->Read.Points.size(); ++i)
   {

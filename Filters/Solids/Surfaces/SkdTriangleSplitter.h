@@ -24,7 +24,7 @@ struct SkdSplitCorner
   unsigned Edges;      ///< of the triangle that it lies on, a bit each
 };
 
-/// Places and exact signs of the corners of pieces in a triangle, which turns left as seen.
+/// Positions and exact signs of the corners of pieces in a triangle, which turns left as seen.
 class SkdSplitCorners
 {
 public:
