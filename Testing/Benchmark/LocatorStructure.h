@@ -17,9 +17,14 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
+#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <vector>
 
 namespace skdbench
 {
@@ -56,9 +61,12 @@ public:
   {
     this->Tolerance = LineTolerance(data);
     this->Tree->SetDataSet(data);
+    this->Weights.resize(static_cast<std::size_t>(std::max(data->GetMaxCellSize(), 1)));
     this->BuildNow();
     return this->Complaints.WasQuiet();
   }
+
+  void LoadCells() override { this->Cell = vtkSmartPointer<vtkGenericCell>::New(); }
 
   bool Ask(QueryKind queryKind, const Query& query, Answer& answer) override
   {
@@ -83,7 +91,7 @@ public:
         this->List(answer);
         break;
       case QueryKind::FindCell:
-        answer.Cell = this->Tree->FindCell(Point(query.From).data());
+        answer.Cell = this->FindCell(query);
         return this->HasFindCell();
       case QueryKind::FindCellWithHint:
         answer.Cell = this->FindCellWithHint(query, answer.Cell);
@@ -109,29 +117,48 @@ protected:
   /// `hint` is the last answer.
   virtual vtkIdType FindCellWithHint(const Query& query, vtkIdType)
   {
-    return this->Tree->FindCell(Point(query.From).data());
+    return this->FindCell(query);
   }
 
   vtkNew<Locator> Tree;
+  vtkSmartPointer<vtkGenericCell> Cell; // none: the short calls
+  std::vector<double> Weights;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkIdList> Ids;
   double Tolerance = 0.0;
 
 private:
+  vtkIdType FindCell(const Query& query)
+  {
+    Point x = query.From;
+    double pcoords[3];
+    return this->Cell
+      ? this->Tree->FindCell(x.data(), 0.0, this->Cell, pcoords, this->Weights.data())
+      : this->Tree->FindCell(x.data());
+  }
+
   void ClosestPoint(const Query& query, Answer& answer)
   {
     answer.Cell = -1;
     int subId = 0;
-    this->Tree->FindClosestPoint(
-      query.From.data(), answer.Where.data(), answer.Cell, subId, answer.Value);
+    const auto find = [&](auto... cell)
+    {
+      this->Tree->FindClosestPoint(
+        query.From.data(), answer.Where.data(), cell..., answer.Cell, subId, answer.Value);
+    };
+    this->Cell ? find(this->Cell.Get()) : find();
   }
 
   void ClosestPointWithinRadius(const Query& query, Answer& answer)
   {
     answer.Cell = -1;
     int subId = 0;
-    if (!this->Tree->FindClosestPointWithinRadius(Point(query.From).data(), query.Radius,
-          answer.Where.data(), answer.Cell, subId, answer.Value))
+    const auto find = [&](auto... cell)
+    {
+      return this->Tree->FindClosestPointWithinRadius(Point(query.From).data(), query.Radius,
+        answer.Where.data(), cell..., answer.Cell, subId, answer.Value);
+    };
+    if (!(this->Cell ? find(this->Cell.Get()) : find()))
     {
       answer.Cell = -1;
     }
@@ -142,8 +169,12 @@ private:
     answer.Cell = -1;
     int subId = 0;
     double pcoords[3];
-    if (!this->Tree->IntersectWithLine(query.From.data(), query.To.data(), this->Tolerance,
-          answer.Value, answer.Where.data(), pcoords, subId, answer.Cell))
+    const auto find = [&](auto... cell)
+    {
+      return this->Tree->IntersectWithLine(query.From.data(), query.To.data(), this->Tolerance,
+        answer.Value, answer.Where.data(), pcoords, subId, answer.Cell, cell...);
+    };
+    if (!(this->Cell ? find(this->Cell.Get()) : find()))
     {
       answer.Cell = -1;
     }

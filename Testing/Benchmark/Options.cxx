@@ -33,6 +33,7 @@ Prints tables of what searches cost, as Markdown. Files: vtp, vtu, vtk, ply.
   --scene TEXT         only data sets whose name holds TEXT; likewise:
   --work TEXT
   --structure TEXT
+  --load-cells         VTK's full calls, which load the cell of each answer
   --markdown FILE      write the tables to a file, too
   --csv FILE           write every number to a file
   --profile N          run N queries of the chosen work untimed, to be watched by a profiler
@@ -91,6 +92,7 @@ const std::map<std::string, Flag>& Flags()
     { "--only-pairs", OnlyPairs },
     { "--no-batches", [](Options& o) { o.Batches = false; } },
     { "--only-batches", OnlyBatches },
+    { "--load-cells", [](Options& o) { o.LoadCells = true; } },
   };
   return flags;
 }

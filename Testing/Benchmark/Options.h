@@ -37,6 +37,7 @@ struct Options
   std::string OnlyKind;
   std::string MarkdownFile;
   std::string CsvFile;
+  bool LoadCells = false;
   int Profile = 0; // queries to run untimed, for a profiler
   std::vector<std::string> Files;
 };

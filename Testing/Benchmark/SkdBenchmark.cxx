@@ -33,6 +33,18 @@ std::vector<Kind> ChosenKinds(const Options& options)
   kinds.erase(std::remove_if(kinds.begin(), kinds.end(),
                 [&](const Kind& kind) { return !Passes(kind.Name, options.OnlyKind); }),
     kinds.end());
+  for (Kind& kind : kinds)
+  {
+    if (options.LoadCells)
+    {
+      kind.Make = [make = kind.Make]
+      {
+        auto structure = make();
+        structure->LoadCells();
+        return structure;
+      };
+    }
+  }
   return kinds;
 }
 

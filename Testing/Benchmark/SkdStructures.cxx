@@ -29,8 +29,8 @@ protected:
   {
     int subId = 0;
     double pcoords[3];
-    return this->Tree->FindCellWithHint(
-      Point(query.From).data(), 0.0, hint, nullptr, subId, pcoords, nullptr);
+    return this->Tree->FindCellWithHint(Point(query.From).data(), 0.0, hint, this->Cell, subId,
+      pcoords, this->Cell ? this->Weights.data() : nullptr);
   }
 };
 

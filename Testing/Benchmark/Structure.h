@@ -34,6 +34,9 @@ public:
   /// Answers into `answer`. False if the structure does not support this kind of query.
   virtual bool Ask(QueryKind queryKind, const Query& query, Answer& answer) = 0;
 
+  /// From now on the cell of each answer is loaded, too, where the structure can.
+  virtual void LoadCells() {}
+
   /// Bytes that the structure itself says it keeps.
   virtual std::optional<double> BytesBySelf() const { return std::nullopt; }
 

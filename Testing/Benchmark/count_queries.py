@@ -20,6 +20,7 @@ def count(options, structure, folder):
                f"--callgrind-out-file={folder}/callgrind", options.program,
                "--profile", str(options.queries), "--scene", options.scene, "--structure", structure]
     command += ["--work", options.work] if options.work else []
+    command += ["--load-cells"] if options.load_cells else []
     subprocess.run(command, check=True, capture_output=True)
     for dump in sorted(folder.glob("*.*"), key=lambda dump: int(dump.suffix[1:])):
         text = dump.read_text()
@@ -37,6 +38,7 @@ def main():
     parser.add_argument("--scene", default="noisy sphere")
     parser.add_argument("--work", default="")
     parser.add_argument("--structure", action="append", default=[], help="any number of them")
+    parser.add_argument("--load-cells", action="store_true", help="by VTK's full calls")
     parser.add_argument("--queries", type=int, default=2000)
     options = parser.parse_args()
     for structure in options.structure or ["skD-tree"]:
