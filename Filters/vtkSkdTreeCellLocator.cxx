@@ -205,7 +205,7 @@ int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2
   const skd::RigidMotion* motion = this->Impl->GetMotion();
   SkdStore(motion ? tree.MovedPCoords(motion, cellId, point, hit.PCoords) : hit.PCoords, pcoords);
   SkdStore(point, x);
-  this->Impl->Load(this->DataSet, cellId, cell);
+  this->Impl->Load(tree, this->UseExistingSearchStructure, this->DataSet, cellId, cell);
   return 1;
 }
 
@@ -364,7 +364,7 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestPointWithinRadius(double x[3], doubl
   dist2 = found.Dist2;
   inside = found.ProjectsInside || found.Dist2 <= tree.Rounding() * tree.Rounding() ? 1 : 0;
   SkdStore(this->Impl->ToWorld(found.Point), closestPoint);
-  this->Impl->Load(this->DataSet, cellId, cell);
+  this->Impl->Load(tree, this->UseExistingSearchStructure, this->DataSet, cellId, cell);
   return 1;
 }
 
@@ -434,7 +434,7 @@ vtkIdType vtkSkdTreeCellLocator::FindCellWithHint(double x[3], double tol2, vtkI
   subId = found.SubId;
   const skd::Vector3 point = this->Impl->ToWorld(found.Point);
   SkdStore(tree.MovedPCoords(this->Impl->GetMotion(), found.Id, point, found.PCoords), pcoords);
-  this->Impl->Load(this->DataSet, found.Id, cell);
+  this->Impl->Load(tree, this->UseExistingSearchStructure, this->DataSet, found.Id, cell);
   return found.Id;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // FindClosestPoint and FindClosestPointWithinRadius in all their forms.
 
+#include "Support/CellZoo.h"
 #include "Support/LocatorOnMesh.h"
 #include "Support/LongCells.h"
 #include "Support/SurfaceMeshes.h"
@@ -146,6 +147,60 @@ TEST(ClosestPointCell, IsThatOfVtkHoweverItIsStored)
         locator->FindClosestPoint(mesh->GetPoint(i), c.X.data(), cell, c.Cell, c.SubId, c.Dist2);
         ExpectCell(cell, mesh, c.Cell);
         ExpectBounds(cell, mesh, c.Cell);
+      }
+    }
+  }
+}
+
+/// What a caller may do to a cell that it has got: another cell is loaded into it afterwards.
+/// (In double precision it stays, for what is stored in float would be rounded.)
+void Misuse(vtkGenericCell* cell, int how, int pointType)
+{
+  switch (how % 5)
+  {
+    case 0:
+      cell->GetPoints()->SetNumberOfPoints(how);
+      break;
+    case 1:
+      cell->GetPointIds()->Reset();
+      break;
+    case 2:
+      cell->GetPoints()->SetDataType(pointType);
+      break;
+    case 3:
+      cell->SetCellType(how % 2 == 0 ? VTK_WEDGE : VTK_EMPTY_CELL);
+      break;
+    default:
+      break;
+  }
+}
+
+TEST(ClosestPointCell, IsThatOfVtkForEveryTypeWhateverWasInIt)
+{
+  int how = 0;
+  for (const int pointType : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    vtkNew<vtkGenericCell> cell; // for all types
+    for (const int type : AllCellTypes())
+    {
+      const Mesh block = Block(ReferenceCell(type, 1), Unmoved);
+      const auto grid = MakeGrid(block, pointType);
+      for (const bool ids64 : { true, false })
+      {
+        ids64 ? grid->GetCells()->ConvertTo64BitStorage()
+              : grid->GetCells()->ConvertTo32BitStorage();
+        const auto locator = MakeLocator(grid);
+        for (const Point& x : block.Points)
+        {
+          Closest c;
+          locator->FindClosestPoint(x.data(), c.X.data(), cell, c.Cell, c.SubId, c.Dist2);
+          ASSERT_EQ(c.Cell >= 0, type != VTK_EMPTY_CELL);
+          if (c.Cell >= 0)
+          {
+            ExpectCell(cell, grid, c.Cell);
+          }
+          Misuse(cell, ++how, pointType);
+        }
       }
     }
   }

@@ -3,6 +3,7 @@
 #include "Cells/Read/SkdCellReader.h"
 
 #include "Cells/Read/SkdCellFunctions.h"
+#include "Cells/Read/SkdFillCell.h"
 #include "Cells/Read/SkdStoredTypes.h"
 #include "Cells/Read/SkdStoredValues.h"
 
@@ -63,14 +64,11 @@ DataSet* Exactly(vtkDataSet* data)
 
 /// Points stored in this type, as those of a cell; false if they are not.
 template <class Real>
-bool CopyPoints(vtkPoints* points, vtkIdList* ids, double* to)
+bool CopyPoints(vtkPoints* points, vtkGenericCell* cell)
 {
   const Real* from = SkdStoredValues<Real>(points->GetData());
-  for (vtkIdType i = 0; from && i < ids->GetNumberOfIds(); ++i)
-  {
-    to = std::copy_n(from + 3 * ids->GetId(i), 3, to);
-  }
-  return from;
+  vtkIdList* ids = cell->GetPointIds();
+  return from && SkdFillCell(cell, ids->GetPointer(0), ids->GetNumberOfIds(), from);
 }
 
 /// GetCell of a cell that is its type and its points alone, without a virtual call for each of
@@ -84,18 +82,13 @@ bool LoadPlain(Mesh* mesh, vtkIdType cellId, vtkGenericCell* cell)
     return false;
   }
   cell->SetCellType(type);
-  vtkIdList* ids = cell->GetPointIds();
-  mesh->Mesh::GetCellPoints(cellId, ids);
-  vtkPoints* points = cell->GetPoints();
-  if (points->GetNumberOfPoints() != ids->GetNumberOfIds())
+  mesh->Mesh::GetCellPoints(cellId, cell->GetPointIds());
+  if (CopyPoints<float>(mesh->GetPoints(), cell) || CopyPoints<double>(mesh->GetPoints(), cell))
   {
-    points->SetNumberOfPoints(ids->GetNumberOfIds());
+    return true;
   }
-  points->Modified(); // their bounds are others
-  double* to = SkdStoredValues<double>(points->GetData());
-  return to &&
-    (CopyPoints<float>(mesh->GetPoints(), ids, to) ||
-      CopyPoints<double>(mesh->GetPoints(), ids, to));
+  cell->GetPoints()->Modified(); // VTK does not say so
+  return false;
 }
 
 void LoadAny(vtkDataSet* data, vtkIdType cellId, vtkGenericCell* cell)
@@ -214,6 +207,14 @@ int SkdCellReader::TypeBySize(vtkIdType cellId) const
       [&](vtkIdType, const auto*, std::size_t size) { type = TypeOfSize(run->Kind, size); });
   }
   return type;
+}
+
+//------------------------------------------------------------------------------
+bool SkdHasPlainCells(vtkDataSet* data)
+{
+  const int type = data->GetDataObjectType(); // two names take longer to compare
+  return (type == VTK_POLY_DATA && Exactly<vtkPolyData>(data)) ||
+    (type == VTK_UNSTRUCTURED_GRID && Exactly<vtkUnstructuredGrid>(data));
 }
 
 //------------------------------------------------------------------------------

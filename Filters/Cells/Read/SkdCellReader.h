@@ -120,6 +120,11 @@ private:
 /// vtkDataSet::GetCell, also of the cells of vtkPolyData that VTK 9.1 cannot build. Thread-safe
 /// once a reader of the data set was made.
 void SkdLoadCell(vtkDataSet* data, vtkIdType cellId, vtkGenericCell* cell);
+
+/// Whether GetCell of this data set takes nothing but type, point ids and points from it, but of
+/// polyhedra and curved cells: of vtkPolyData and vtkUnstructuredGrid. A class derived from them
+/// may have a GetCell of its own.
+bool SkdHasPlainCells(vtkDataSet* data);
 }
 
 #endif

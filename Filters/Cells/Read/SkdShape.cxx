@@ -7,6 +7,8 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <cstddef>
+#include <iterator>
 
 namespace skdtree
 {
@@ -77,5 +79,15 @@ SkdShape SkdShapeOfCellType(int cellType)
   static const std::array<SkdShape, VTK_NUMBER_OF_CELL_TYPES> table = MakeShapeTable();
   const bool isKnown = cellType >= 0 && cellType < VTK_NUMBER_OF_CELL_TYPES;
   return isKnown ? table[static_cast<std::size_t>(cellType)] : SkdShape::None;
+}
+
+//------------------------------------------------------------------------------
+int SkdCellTypeOfShape(SkdShape shape)
+{
+  static constexpr std::uint8_t types[] = { VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_PIXEL, VTK_QUAD,
+    VTK_TETRA, VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_POLYGON, VTK_TRIANGLE_STRIP,
+    VTK_POLY_LINE, VTK_POLY_VERTEX };
+  const auto index = static_cast<std::size_t>(shape);
+  return index < std::size(types) ? int(types[index]) : int(VTK_EMPTY_CELL);
 }
 }

@@ -33,6 +33,9 @@ enum class SkdShape : std::uint8_t
 /// The table: VTK's cell type -> shape.
 SkdShape SkdShapeOfCellType(int cellType);
 
+/// VTK's type of the cells of a shape; VTK_EMPTY_CELL of shapes that several types have.
+int SkdCellTypeOfShape(SkdShape shape);
+
 /// The number of points of a cell of this shape, or 0 if it varies.
 inline int SkdNumberOfPoints(SkdShape shape)
 {

@@ -6,8 +6,11 @@
 #include "Cells/Read/SkdCellReader.h"
 #include "Cells/Read/SkdEnclose.h"
 #include "Cells/Read/SkdFaceReader.h"
+#include "Cells/Read/SkdFillCell.h"
 #include "Cells/Read/SkdForEach.h"
+#include "Cells/Read/SkdShape.h"
 
+#include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
@@ -219,6 +222,18 @@ std::int64_t SkdCellStore::CellOfId(vtkIdType id) const
     [](std::uint32_t stored, vtkIdType sought) { return static_cast<vtkIdType>(stored) < sought; });
   const bool isStored = found != this->Ids.end() && static_cast<vtkIdType>(*found) == id;
   return isStored ? found - this->Ids.begin() : -1;
+}
+
+//------------------------------------------------------------------------------
+bool SkdCellStore::Load(std::uint32_t cell, vtkGenericCell* loaded) const
+{
+  const int type = SkdCellTypeOfShape(this->ShapeOf(cell));
+  if (type == VTK_EMPTY_CELL)
+  {
+    return false;
+  }
+  loaded->SetCellType(type);
+  return SkdFillCell(loaded, this->PointIdsOf(cell), this->SizeOf(cell), this->Coordinates);
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 #include <vector>
 
 class vtkDataSet;
+class vtkGenericCell;
 
 namespace skdtree
 {
@@ -93,6 +94,10 @@ public:
   /// A cell with a variable number of points, in a thread-local buffer that is valid until the next
   /// call.
   SkdPolyCell GatherPoly(std::uint32_t cell) const;
+
+  /// Makes a VTK cell this one, with VTK's type, point ids and points. False if it needs more than
+  /// these: a polyhedron, say.
+  bool Load(std::uint32_t cell, vtkGenericCell* loaded) const;
 
   /// The box of the cell's points: what vtkDataSet::GetCellBounds gives.
   skd::Box3 BoundsOf(std::uint32_t cell) const

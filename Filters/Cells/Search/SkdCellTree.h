@@ -239,6 +239,13 @@ public:
   /// Algorithm 3.1 as printed, on the safety boxes; elements are cells of the store.
   skd::PaperTree<3> MakePaperTree() const;
 
+  /// SkdCellStore::Load, of the cell with VTK's id.
+  bool Load(vtkIdType id, vtkGenericCell* loaded) const
+  {
+    const std::int64_t cell = this->Store.CellOfId(id);
+    return cell >= 0 && this->Store.Load(static_cast<std::uint32_t>(cell), loaded);
+  }
+
   /// The bounds of the cell's points, moved by the motion unless nullptr.
   skd::Box3 WorldBoundsOf(std::uint32_t cell, const skd::RigidMotion* motion) const;
 

@@ -116,14 +116,20 @@ public:
     return this->Motion ? *this->Motion : none;
   }
 
-  /// Loads a cell of the answer for the caller, transformed by the motion.
-  void Load(vtkDataSet* data, vtkIdType id, vtkGenericCell* cell) const
+  /// Loads a cell of the answer for the caller, transformed by the motion: from the data set, or
+  /// faster from the tree, unless that is used unchecked.
+  void Load(const SkdCellTree& tree, bool usesExisting, vtkDataSet* data, vtkIdType id,
+    vtkGenericCell* cell) const
   {
     if (!cell || id < 0)
     {
       return;
     }
-    SkdLoadCell(data, id, cell);
+    const bool isChecked = !usesExisting || this->CheckTime != 0;
+    if (!isChecked || !SkdHasPlainCells(data) || !tree.Load(id, cell))
+    {
+      SkdLoadCell(data, id, cell);
+    }
     vtkPoints* points = cell->GetPoints();
     for (vtkIdType i = 0; this->Motion && i < points->GetNumberOfPoints(); ++i)
     {
