@@ -189,9 +189,13 @@ void UpdateDoubtful(const SkdPlacement& placement, vtkAlgorithm* filter, SkdPair
 }
 
 std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlacement& placement,
-  SkdLoop& loop, vtkAlgorithm* filter, SkdPairCache* cache)
+  SkdLoop& loop, vtkAlgorithm* filter, SkdPairCache* cache, std::size_t most)
 {
-  const SkdPairSearch search{ SkdPairSearch::All, 0.0 };
+  SkdPairSearch search;
+  if (!cache)
+  {
+    search.Most = most;
+  }
   // What is left out as a copy, or taken as 0, depends on all of the set.
   const bool mayKeep = cache && set.GetCopiesLeftOut().empty() && !placement.HasTinyPoints;
   const bool areKnown = mayKeep && cache->Scale == placement.Scale;
@@ -214,16 +218,57 @@ std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlace
     }
     return std::nullopt;
   }
+  if (pairs->size() > search.Most)
+  {
+    return SkdSelfPairs{ *std::move(pairs), {}, true };
+  }
   if (mayKeep && !areKnown)
   {
     Keep(*pairs, placement.Scale, *cache);
   }
-  SkdSelfPairs found{ *std::move(pairs), {} };
+  SkdSelfPairs found{ *std::move(pairs), {}, false };
   found.Duplicates = SkdTakeDuplicates(placement.First, found.Pairs);
   const std::vector<SkdDuplicate>& copies = set.GetCopiesLeftOut();
   found.Duplicates.insert(found.Duplicates.end(), copies.begin(), copies.end());
   std::sort(found.Duplicates.begin(), found.Duplicates.end());
   return found;
+}
+
+std::vector<SkdTrianglePair> SkdFindPairsWithin(SkdTriangleSet& set, const SkdPlacement& placement,
+  const std::vector<std::uint32_t>& pieceOf, SkdLoop& loop)
+{
+  const skd::Rows<std::uint32_t> pieces(
+    pieceOf.empty() ? 0 : 1 + *std::max_element(pieceOf.begin(), pieceOf.end()),
+    [&](const auto& add)
+    {
+      for (std::uint32_t triangle = 0; triangle < pieceOf.size(); ++triangle)
+      {
+        if (set.IsSearched(triangle))
+        {
+          add(pieceOf[triangle], triangle);
+        }
+      }
+    });
+  const SkdTrianglePairs search(placement);
+  std::vector<SkdTrianglePair> pairs;
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+  {
+    const std::vector<std::uint32_t> among(pieces[piece].begin(), pieces[piece].end());
+    if (among.size() < 2)
+    {
+      continue;
+    }
+    SkdPairSearch within;
+    within.Among = &among;
+    const auto found = search.FindSelfIntersections(within, loop);
+    if (!found)
+    {
+      set.Complete();
+      return search.FindByTrees(SkdPairSearch(), loop);
+    }
+    pairs.insert(pairs.end(), found->begin(), found->end());
+  }
+  return pairs;
 }
 
 std::optional<SkdArrangement> SkdArrange(

@@ -41,6 +41,7 @@ struct SkdSelfPairs
 {
   std::vector<SkdTrianglePair> Pairs;
   std::vector<SkdDuplicate> Duplicates; ///< ascending
+  bool AreSome = false;                 ///< there are more than were wanted
 };
 
 /// What is cached of a set while its first triangles stay where they are and the others are moved:
@@ -58,9 +59,15 @@ struct SkdPairCache
 };
 
 /// Completes the set if its triangles overlap so much that trees are faster. Those of `cache` are
-/// not searched again, or are kept now; without it none are. Empty after an abort.
+/// not searched again, or are kept now; without it none are, and only then the search may stop when
+/// there are more than `most`. Empty after an abort.
 std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlacement& placement,
-  SkdLoop& loop, vtkAlgorithm* filter, SkdPairCache* cache = nullptr);
+  SkdLoop& loop, vtkAlgorithm* filter, SkdPairCache* cache = nullptr,
+  std::size_t most = std::numeric_limits<std::size_t>::max());
+
+/// Those of two triangles of one piece, and maybe others.
+std::vector<SkdTrianglePair> SkdFindPairsWithin(SkdTriangleSet& set, const SkdPlacement& placement,
+  const std::vector<std::uint32_t>& pieceOf, SkdLoop& loop);
 
 /// Splits a set along all its intersections with itself. O(n) for n facets, plus exact tests at
 /// edges in which more than two of them meet; a few microseconds for each that is a piece of a

@@ -396,7 +396,6 @@ SkdRoundedFacets MakeFacets(const SkdPlacement& placement, const Surface& surfac
   return rounded;
 }
 
-//------------------------------------------------------------------------------
 /// The pieces that edges connect, of each solid by itself.
 class Pieces
 {
@@ -415,6 +414,9 @@ public:
 
   /// Whether the surface of each solid passes each edge as often in both directions.
   bool AreClosed() const { return this->IsClosed; }
+
+  /// Of each triangle its piece.
+  const std::vector<std::uint32_t>& Get() const { return this->Of; }
 
   /// The solids by their pieces where each winds once around what it encloses, else whole; all are
   /// whole unless `divides`.
@@ -518,7 +520,7 @@ private:
   const SkdTriangleSet& Set;
   const SkdSolids& Solids;
   skd::DisjointSets<> Sets;
-  std::vector<std::uint32_t> Of;           // of each triangle its piece
+  std::vector<std::uint32_t> Of;
   std::vector<std::uint32_t> AtOtherEdges; // triangles at edges of other than two of a solid
   bool IsClosed = true;
 };
@@ -542,7 +544,7 @@ bool SkdHasUnitedOperands(SkdBooleanOperation operation, bool areInputs)
 //------------------------------------------------------------------------------
 std::optional<std::array<SkdSolidGroup, 2>> SkdFindSolidGroups(const SkdTriangleSet& set,
   const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule,
-  const std::vector<SkdTrianglePair>& pairs)
+  const std::function<std::vector<SkdTrianglePair>(const std::vector<std::uint32_t>&)>& findPairs)
 {
   Pieces pieces(set, solids);
   if (!SkdHasUnitedOperands(rule.Operation, areInputs) || !pieces.AreClosed())
@@ -551,7 +553,7 @@ std::optional<std::array<SkdSolidGroup, 2>> SkdFindSolidGroups(const SkdTriangle
   }
   // What two pieces cover is not inside if the number must be odd.
   const std::vector<SkdSolidGroup> divided =
-    pieces.Divide(pairs, rule.Inside != SkdInsideRule::Odd);
+    pieces.Divide(findPairs(pieces.Get()), rule.Inside != SkdInsideRule::Odd);
   std::array<SkdSolidGroup, 2> groups;
   for (std::size_t solid = 0; solid < divided.size(); ++solid)
   {

@@ -19,6 +19,7 @@
 #include "Solids/Boolean/SkdSolids.h"
 
 #include <array>
+#include <functional>
 
 class vtkAlgorithm;
 
@@ -33,12 +34,13 @@ bool SkdHasUnitedOperands(SkdBooleanOperation operation, bool areInputs);
 /// The two operands of an operation, each the union of some solids: all of the first and the second
 /// input; else the first solid and the others, or of a union any halves. A solid whose pieces are
 /// closed, face outward and do not intersect themselves, is in a group by its pieces, unless what
-/// two of them cover is outside. `pairs` are
-/// those of the set with itself. Empty if a solid is not closed, or if the operation does not have
+/// two of them cover is outside. `findPairs`
+/// returns those of two triangles of one piece, and maybe others; it is called with the piece that
+/// each triangle is of. Empty if a solid is not closed, or if the operation does not have
 /// such operands or they are of few solids. O(n).
 std::optional<std::array<SkdSolidGroup, 2>> SkdFindSolidGroups(const SkdTriangleSet& set,
   const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule,
-  const std::vector<SkdTrianglePair>& pairs);
+  const std::function<std::vector<SkdTrianglePair>(const std::vector<std::uint32_t>&)>& findPairs);
 
 /// The result, in terms of the set that the solids are of: facets are pieces of its triangles.
 struct SkdCombinedSolids

@@ -22,7 +22,7 @@ constexpr std::size_t EventsOfPair = 1;
 constexpr std::size_t FewEvents = 5000;
 
 /// As a rule there is that number of pairs for each triangle only where solids overlap deeply.
-constexpr std::size_t PairsOfTriangle = 6;
+constexpr std::size_t PairsOfTriangle = 2;
 
 constexpr skd::RigidMotion NoMotion{ { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } },
   { { 0, 0, 0 } } };
@@ -124,41 +124,59 @@ bool SkdSolidArrangement::Update(const SkdBooleanBlocks& blocks, double chordalD
   return this->Placement.has_value();
 }
 
+/// False if these solids cannot be combined so; true also after an abort.
+bool SkdSolidArrangement::CombineInPairs(const SkdSolids& solids, bool areInputs,
+  const SkdBooleanRule& rule, const SkdSelfPairs& pairs, vtkAlgorithm* filter)
+{
+  const auto findWithin = [&](const std::vector<std::uint32_t>& pieceOf)
+  {
+    SkdLoop loop(filter, 0, 0.6, 0.6, 64);
+    return pairs.AreSome ? SkdFindPairsWithin(this->Triangles, *this->Placement, pieceOf, loop)
+                         : pairs.Pairs;
+  };
+  if (const auto groups = SkdFindSolidGroups(this->Triangles, solids, areInputs, rule, findWithin))
+  {
+    this->Combined = SkdCombineInPairs(*this->Placement, this->Faces, *groups, rule, filter);
+  }
+  return this->Combined || SkdIsAborted(filter);
+}
+
 bool SkdSolidArrangement::Arrange(
   const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter)
 {
-  SkdLoop loop(filter, 0, 0.2, 0.6, 8);
-  auto pairs = SkdFindSelfPairs(
-    this->Triangles, *this->Placement, loop, filter, this->AsRead ? &this->OfInput : nullptr);
+  constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+  const bool mayCombine = SkdHasUnitedOperands(rule.Operation, areInputs);
+  const std::size_t dense = mayCombine
+    ? std::max(FewEvents, PairsOfTriangle * this->Triangles.GetTriangles().size())
+    : unlimited;
+  const auto findPairs = [&](std::size_t most)
+  {
+    SkdLoop loop(filter, 0, 0.2, 0.6, 8);
+    return SkdFindSelfPairs(this->Triangles, *this->Placement, loop, filter,
+      this->AsRead ? &this->OfInput : nullptr, most);
+  };
+  auto pairs = findPairs(dense);
   if (!pairs)
   {
     return false;
   }
   SkdLoop splitLoop(filter, 0, 0.6, 0.8, 64);
-  const bool mayCombine = SkdHasUnitedOperands(rule.Operation, areInputs);
-  const std::size_t few = mayCombine ? EventsOfPair * pairs->Pairs.size() + FewEvents
-                                     : std::numeric_limits<std::size_t>::max();
-  const bool isDense = mayCombine && pairs->Pairs.size() > FewEvents &&
-    pairs->Pairs.size() > PairsOfTriangle * this->Triangles.GetTriangles().size();
   std::optional<SkdArrangement> arrangement(SkdArrangement{ {}, {}, 0, 0, true });
-  if (!isDense) // else to look at segments would be in vain
+  if (pairs->Pairs.size() <= dense) // else to look at segments would be in vain
   {
+    const std::size_t few = mayCombine ? EventsOfPair * pairs->Pairs.size() + FewEvents : unlimited;
     arrangement = SkdArrange(*this->Placement, *pairs, splitLoop, few);
   }
   if (arrangement && arrangement->IsCrowd)
   {
-    if (const auto groups =
-          SkdFindSolidGroups(this->Triangles, solids, areInputs, rule, pairs->Pairs))
+    if (this->CombineInPairs(solids, areInputs, rule, *pairs, filter))
     {
-      this->Combined = SkdCombineInPairs(*this->Placement, this->Faces, *groups, rule, filter);
-      if (this->Combined || SkdIsAborted(filter))
-      {
-        this->Arrangement = *std::move(arrangement);
-        this->EqualPoints.clear();
-        return this->Combined.has_value();
-      }
+      this->Arrangement = *std::move(arrangement);
+      this->EqualPoints.clear();
+      return this->Combined.has_value();
     }
-    arrangement = SkdArrange(*this->Placement, *pairs, splitLoop);
+    pairs = pairs->AreSome ? findPairs(unlimited) : std::move(pairs);
+    arrangement = pairs ? SkdArrange(*this->Placement, *pairs, splitLoop) : std::nullopt;
   }
   if (!arrangement)
   {

@@ -186,6 +186,8 @@ private:
   SkdBooleanBoundary SelectPieces(const SkdBooleanRule& rule, bool closesCut) const;
   bool Arrange(
     const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter);
+  bool CombineInPairs(const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule,
+    const SkdSelfPairs& pairs, vtkAlgorithm* filter);
   SkdSolids MakeSolids(const SkdBooleanBlocks& blocks, bool areInputs) const;
   SkdBoundaryMeasures Measure(const SkdFacets& facets, const SkdFacetSigns& signs) const;
   std::optional<SkdSheetFaults> PlaceSheet();

@@ -130,6 +130,25 @@ void SkdContactPoints::MakeCornersOne(
     });
 }
 
+bool SkdContactPoints::IsOn(const Feature& edge, const Key& key)
+{
+  const bool isEnd = key.first.IsCorner() && (key.first.A == edge.A || key.first.A == edge.B);
+  return isEnd || key.first == edge || key.second == edge;
+}
+
+bool SkdContactPoints::AreOnOneEdge(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
+{
+  const Key* const keys[3] = { &this->Keys[a], &this->Keys[b], &this->Keys[c] };
+  const auto areOn = [&keys](const Feature& edge)
+  {
+    return !edge.IsCorner() && !edge.IsInside() && IsOn(edge, *keys[0]) && IsOn(edge, *keys[1]) &&
+      IsOn(edge, *keys[2]);
+  };
+  // Of three different points at most two are ends of the edge.
+  return std::any_of(
+    keys, keys + 3, [&areOn](const Key* key) { return areOn(key->first) || areOn(key->second); });
+}
+
 const skd::Vector3& SkdContactPoints::CornerAt(std::uint32_t corner) const
 {
   const auto before = static_cast<std::uint32_t>(this->First.GetPoints().size());

@@ -31,6 +31,10 @@ public:
   /// The exact position of a point, with the placement's scale: slow.
   skd::ExactPoint GetExact(std::uint32_t point) const;
 
+  /// Whether three points are on one edge of a set by what they are: then they are on a line, as
+  /// the exact positions would tell much more slowly.
+  bool AreOnOneEdge(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+
   /// Point `i` of the contact of a pair.
   std::uint32_t GetPoint(std::size_t pair, int i) const
   {
@@ -67,6 +71,7 @@ private:
   Key MakeKey(const SkdTrianglePair& pair, const skd::ContactPoint& point) const;
   std::vector<Key> MakeKeys(const std::vector<SkdTrianglePair>& pairs);
   void MakeCornersOne(const std::vector<SkdTrianglePair>& pairs, std::vector<Key>& keys) const;
+  static bool IsOn(const Feature& edge, const Key& key);
   skd::Vector3 FindPosition(const Key& key) const;
   const skd::Vector3& CornerAt(std::uint32_t corner) const;
   skd::Segment<3> EdgeAt(const Feature& edge) const;

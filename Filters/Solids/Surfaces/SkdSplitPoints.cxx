@@ -93,8 +93,13 @@ int SkdSplitPoints::Orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, in
 {
   const int sign = skd::FilteredOrient2D(
     this->Positions[a], this->Positions[b], this->Positions[c], axis, this->Error);
-  return sign != 0
-    ? sign
+  if (sign != 0)
+  {
+    return sign;
+  }
+  const bool areContacts = std::max({ a, b, c }) < this->Contacts.GetNumberOfPoints();
+  return areContacts && this->Contacts.AreOnOneEdge(a, b, c)
+    ? 0
     : skd::ExactArea(this->GetExact(a), this->GetExact(b), this->GetExact(c), axis).Sign();
 }
 

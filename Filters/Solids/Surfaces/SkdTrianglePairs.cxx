@@ -218,6 +218,8 @@ void Add(const std::vector<SkdTrianglePair>& pairs, std::vector<SkdTrianglePair>
   std::inplace_merge(to.begin(), to.begin() + middle, to.end(), IsBefore);
 }
 
+constexpr std::size_t PacketsOfPart = 16; // of the search within one surface
+
 /// All that were found, or the lowest.
 std::vector<SkdTrianglePair> Gather(
   const std::vector<std::vector<SkdTrianglePair>>& found, const SkdPairSearch& search)
@@ -279,13 +281,16 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
   return Gather(found, search);
 }
 
-/// A search in a packed R-tree, in parts. It stops after too many looks: that is for trees.
+/// A search in a packed R-tree, in parts. It stops after too many looks: that is for trees; and
+/// when there are more pairs than wanted.
 class SkdTrianglePairs::PackedSearch
 {
 public:
-  PackedSearch(std::size_t numberOfParts, std::size_t numberOfTriangles)
+  PackedSearch(std::size_t numberOfParts, std::size_t numberOfTriangles,
+    std::size_t mostPairs = std::numeric_limits<std::size_t>::max())
     : Found(numberOfParts)
     , Most(64 * numberOfTriangles)
+    , MostPairs(mostPairs)
   {
   }
 
@@ -298,10 +303,11 @@ public:
     loop.For(parts,
       [&](vtkIdType begin, vtkIdType end)
       {
-        for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end);
-             ++part)
+        for (auto part = static_cast<std::size_t>(begin);
+             part < static_cast<std::size_t>(end) && this->Pairs <= this->MostPairs; ++part)
         {
           visit(part, this->Found[part]);
+          this->Pairs += this->Found[part].size();
         }
       });
   }
@@ -318,7 +324,9 @@ public:
 private:
   std::vector<std::vector<SkdTrianglePair>> Found;
   std::size_t Most;
+  std::size_t MostPairs;
   std::atomic<std::size_t> Looks{ 0 };
+  std::atomic<std::size_t> Pairs{ 0 }; // of parts that are done
 };
 
 //------------------------------------------------------------------------------
@@ -411,11 +419,10 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersecti
       return found;
     }
   }
-  constexpr std::size_t size = 16; // of a part, in packets
   const SkdTriangleSet& set = this->Placement.First.GetSet();
-  const std::vector<std::uint32_t> unknown =
-    known ? this->ListUnknown(*known) : std::vector<std::uint32_t>();
-  const std::vector<std::uint32_t>& some = known ? unknown : set.GetSearched();
+  const auto unknown = known ? this->ListUnknown(*known) : std::vector<std::uint32_t>();
+  const std::vector<std::uint32_t>& all = search.Among ? *search.Among : set.GetSearched();
+  const std::vector<std::uint32_t>& some = known ? unknown : all;
   const bool areAll = !known && some.empty();
   std::vector<skd::Box3> boxes(areAll ? set.GetTriangles().size() : some.size());
   const auto triangleOf = [&some, areAll](std::uint32_t i) { return areAll ? i : some[i]; };
@@ -425,13 +432,14 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersecti
   const skd::PackedRTree tree(boxes);
   const std::size_t count = tree.GetNumberOfPackets();
   Search state(this->Placement, search);
-  PackedSearch parts((count + size - 1) / size, boxes.size());
+  PackedSearch parts((count + PacketsOfPart - 1) / PacketsOfPart, boxes.size(), search.Most);
   parts.ForEachPart(loop,
     [&](std::size_t part, std::vector<SkdTrianglePair>& found)
     {
       skd::PackedRTree::OverlapLists lists;
       bool goesOn = true;
-      for (std::size_t i = part * size; i < std::min(count, (part + 1) * size) && goesOn; ++i)
+      for (std::size_t i = part * PacketsOfPart;
+           i < std::min(count, (part + 1) * PacketsOfPart) && goesOn; ++i)
       {
         std::size_t looks = 0;
         goesOn = tree.ForEachOverlapWithin(i, lists,

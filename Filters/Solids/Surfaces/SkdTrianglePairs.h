@@ -13,6 +13,8 @@
 #include "Solids/Surfaces/SkdNearTriangles.h"
 #include "Solids/Surfaces/SkdPlacement.h"
 
+#include <limits>
+
 namespace skdtree
 {
 class SkdLoop;
@@ -36,6 +38,13 @@ struct SkdPairSearch
   };
   Extent Wanted = All;
   double Clearance = 0.0; ///< before scaling; 0: those that touch, only
+
+  ///@{
+  /// Of FindSelfIntersections alone: it may stop when there are more than so many, and then returns
+  /// more; and which triangles are searched, ascending (all but copies left out if nullptr).
+  std::size_t Most = std::numeric_limits<std::size_t>::max();
+  const std::vector<std::uint32_t>* Among = nullptr;
+  ///@}
 };
 
 /// What is known of one surface: all pairs of its triangles below `End`, sorted; and, if it is
