@@ -35,6 +35,14 @@ SkdHitCell WithId(const SkdLineHit& hit, vtkIdType id)
   return found;
 }
 
+/// The calling thread's list of hits. Found once a query: each access to such a variable is a call.
+SKD_NOINLINE std::vector<SkdHitCell>& EmptyList()
+{
+  thread_local std::vector<SkdHitCell> hits;
+  hits.clear();
+  return hits;
+}
+
 /// A facet of a surface that a segment meets.
 struct FacetHit
 {
@@ -234,26 +242,28 @@ SkdHitCell SkdCellTree::FindFirstHit(
 const std::vector<SkdHitCell>& SkdCellTree::FindHits(
   const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const
 {
-  thread_local std::vector<SkdHitCell> hits;
-  hits.clear();
+  std::vector<SkdHitCell>& hits = EmptyList();
   const double maxDistance = std::max(tolerance, 0.0);
   auto takeTriangle = [&](std::uint32_t cell, const skd::TriangleHit& hit)
   {
     hits.push_back(WithId(SkdTriangleKernel::From(hit), this->Store.IdOf(cell)));
     return 1.0;
   };
-  const skd::SegmentView view(segment);
-  auto visitor = [&](std::uint32_t cell)
+  if (!this->VisitTriangleHits<false>(segment, maxDistance, takeTriangle))
   {
-    if (const auto hit = this->Hit(cell, view, maxDistance, source))
+    const skd::SegmentView view(segment);
+    auto visitor = [&](std::uint32_t cell)
     {
-      hits.push_back(WithId(*hit, this->Store.IdOf(cell)));
+      if (const auto hit = this->Hit(cell, view, maxDistance, source))
+      {
+        hits.push_back(WithId(*hit, this->Store.IdOf(cell)));
+      }
+      return 1.0;
+    };
+    if (view.IsValid())
+    {
+      this->WalkAlong<false>(segment, maxDistance, visitor);
     }
-    return 1.0;
-  };
-  if (!this->VisitTriangleHits<false>(segment, maxDistance, takeTriangle) && view.IsValid())
-  {
-    this->WalkAlong<false>(segment, maxDistance, visitor);
   }
   std::sort(hits.begin(), hits.end(), IsBefore);
   return hits;
@@ -263,8 +273,7 @@ const std::vector<SkdHitCell>& SkdCellTree::FindHits(
 const std::vector<SkdHitCell>& SkdCellTree::FindBoundsHits(
   const skd::Segment<3>& segment, double tolerance, const skd::RigidMotion* motion) const
 {
-  thread_local std::vector<SkdHitCell> hits;
-  hits.clear();
+  std::vector<SkdHitCell>& hits = EmptyList();
   const double maxDistance = std::max(tolerance, 0.0);
   const auto clip = [&](std::uint32_t cell)
   {

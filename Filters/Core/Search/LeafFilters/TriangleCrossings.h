@@ -87,7 +87,7 @@ private:
     const L w = MinusProduct(a.X * b.Y, a.Y, b.X);
     const L least = Min(Min(u, v), w);
     const L most = Max(Max(u, v), w);
-    return LessEqual(L(-slack), least) | LessEqual(most, L(slack));
+    return LessEqual(Min(L(0.0f) - least, most), L(slack));
   }
 
   Shear TheShear;

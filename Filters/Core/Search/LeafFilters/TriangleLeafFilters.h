@@ -91,6 +91,19 @@ private:
   TriangleCrossings Crossings;
 };
 
+/// The same of a tree whose packets have points: every node is known.
+class LineLeafFilterOfAll : public LineLeafFilter
+{
+public:
+  using LineLeafFilter::LineLeafFilter;
+
+  template <class Node>
+  static constexpr bool Knows(const Node&)
+  {
+    return true;
+  }
+};
+
 }
 
 #endif

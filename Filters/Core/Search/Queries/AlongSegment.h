@@ -59,18 +59,18 @@ public:
   SKD_FLATTEN unsigned TestBoxes(const BoxPacket<D, W>& boxes, float* keys) const
   {
     Lanes<W> enter(0.0f);
-    Lanes<W> leave(this->Last);
+    Lanes<W> leave(this->TheLimit);
     ForEachAxis<D>(
       [&](int axis)
       {
-        const Lanes<W> back(this->Back[axis]);
+        const Lanes<W> back = Lanes<W>(this->Back[axis]).InRegisters();
         const Lanes<W> near = boxes.Side(this->Sides->Near[axis]);
         const Lanes<W> far = boxes.Side(this->Sides->Far[axis]);
-        enter = Max((Lanes<W>(this->NearOrigin[axis]) - near) * back, enter);
-        leave = Min((Lanes<W>(this->FarOrigin[axis]) - far) * back, leave);
+        enter = Max(MinusProduct(Lanes<W>(this->Enter[axis]), near, back), enter);
+        leave = Min(MinusProduct(Lanes<W>(this->Leave[axis]), far, back), leave);
       });
     enter.Store(keys);
-    return LessEqual(enter, leave + Lanes<W>(Slack));
+    return LessEqual(enter, leave);
   }
 
   bool Visit(std::uint32_t element)
@@ -86,11 +86,7 @@ public:
 
 private:
   /// Nothing beyond this parameter is wanted any more.
-  void EndAt(float last)
-  {
-    this->Last = last;
-    this->TheLimit = last + Slack;
-  }
+  void EndAt(float last) { this->TheLimit = last + Slack; }
 
   static constexpr float Slack = tolerances::SegmentParameter;
 
@@ -165,9 +161,10 @@ private:
     const AxisLanes<D> room = TimesSign(Room(begin, margin2), line.Along);
     const AxisLanes<D> perStep =
       Min(line.Inverse * AxisLanes<D>(this->PerLength), AxisLanes<D>(Most));
-    SpreadOut(begin + room, this->NearOrigin);
-    SpreadOut(begin - room, this->FarOrigin);
-    SpreadOut(-TimesSign(perStep, line.Along), this->Back);
+    const AxisLanes<D> back = -TimesSign(perStep, line.Along);
+    SpreadOut((begin + room) * back, this->Enter);
+    SpreadOut((begin - room) * back + AxisLanes<D>(Slack), this->Leave);
+    SpreadOut(back, this->Back);
     this->Sides = &Packet::SidesOf(line.Along.Signs());
     this->TheLeafFilter.Aim(begin.Values(), margin2);
   }
@@ -180,23 +177,27 @@ private:
     ForEachAxis<D>([&](int axis) { to[axis] = Repeated(values[axis]); });
   }
 
-  /// How far coordinates are moved outward so that the floats nearest to them are at least the
-  /// margin away. What no float is near, 0 is: boxes are rounded outward by as much.
+  /// How far coordinates are moved outward so that the floats nearest to their products with a
+  /// number, and those of sides of boxes with the float nearest to it, are on the safe side by the
+  /// margin. (Of the floats that parameters are sums of each may be off by 2^-24; coordinates of
+  /// boxes are at most 1.) What no float is near, 0 is: boxes are rounded outward by as much.
   static AxisLanes<D> Room(const AxisLanes<D>& coordinates, double margin2)
   {
-    constexpr double half = 1.0 / (1 << 23);
+    constexpr double roundings = 2.125 / (1 << 24);
     const AxisLanes<D> margin(margin2);
-    return margin + AxisLanes<D>(half) * (Abs(coordinates) + margin);
+    return margin + AxisLanes<D>(roundings) * (Abs(coordinates) + margin + AxisLanes<D>(1.0));
   }
 
-  float Last = -1.0f;
   double Begin = 0.0;
   double PerLength = 1.0; ///< 1 over the length that the clipping left, in the parameter
   const typename Packet::Sides* Sides = nullptr;
-  FirstSpread NearOrigin[D];
-  FirstSpread FarOrigin[D];
-  Spread
-    Back[D]; ///< the parameter for each step, negative: boxes are subtracted from what is fixed
+  ///@{
+  /// The parameters at which the planes through the frame's centre are passed, and that for each
+  /// step, negative: what a side of a box is away is subtracted.
+  FirstSpread Enter[D];
+  FirstSpread Leave[D];
+  Spread Back[D];
+  ///@}
   Visitor& TheVisitor;
 };
 

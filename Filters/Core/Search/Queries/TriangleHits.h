@@ -76,7 +76,7 @@ SKD_FLATTEN void VisitTriangleHits(const TreeView<3>& tree, const TrianglePacket
     }
     return limit;
   };
-  AlongSegment<3, decltype(test), LineLeafFilter, InOrder> query(
+  AlongSegment<3, decltype(test), LineLeafFilterOfAll, InOrder> query(
     tree.GetFrame(), segment, tolerance, test, packets, view.GetShear());
   Walk(lanes, query);
 }

@@ -434,6 +434,20 @@ public:
     }
   }
 
+  /// Of what is used twice: GCC 12 would read it from memory each time, and what it is combined
+  /// with by a load of its own.
+  Lanes InRegisters() const
+  {
+    Lanes lanes = *this;
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__)
+    for (detail::FloatVector& some : lanes.Registers)
+    {
+      __asm__("" : "+x"(some));
+    }
+#endif
+    return lanes;
+  }
+
   static Lanes Load(const float* values)
   {
     Lanes lanes;

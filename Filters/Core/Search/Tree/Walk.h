@@ -143,7 +143,7 @@ private:
     {
       return this->VisitKnown(IndexOf(next), keys) && this->Take(next);
     }
-    const Node& node = this->TheTree.Open(IndexOf(next));
+    const Node& node = this->TheTree.Open(Sure ? IndexOf(next) : static_cast<std::uint32_t>(next));
     const bool isSure = Sure && IsMarked(next);
     if (node.IsLeaf)
     {
@@ -204,8 +204,15 @@ private:
       return entryOf(LowestBit(lanes));
     }
     QueueEntry first = entryOf(LowestBit(lanes));
+    if ((lanes &= lanes - 1) == 0)
+    {
+      return first;
+    }
+    const QueueEntry second = entryOf(LowestBit(lanes));
     QueueEntry* const bottom = this->Top;
-    while ((lanes &= lanes - 1) != 0)
+    *this->Top++ = this->Fetched(std::max(first, second));
+    first = std::min(first, second);
+    while ((lanes &= lanes - 1) != 0) // two are the rule
     {
       const QueueEntry entry = entryOf(LowestBit(lanes));
       this->Insert(this->Fetched(std::max(first, entry)), bottom);
@@ -245,7 +252,7 @@ private:
         return entry;
       }
     }
-    Fetch(this->TheTree, IndexOf(entry), 0);
+    Fetch(this->TheTree, Sure ? IndexOf(entry) : static_cast<std::uint32_t>(entry), 0);
     return entry;
   }
 
