@@ -84,6 +84,7 @@ def filters(inputs, way):
         "surface intersection": lambda: simple.SkdTreeSurfaceIntersection(**pair, JoinCurves=0),
         "remap": lambda: simple.SkdTreeRemap(Source=inputs[2], Input=inputs[3],
             Method="Conservative First Order", Geometry="Plane", SourceDistribution=way),
+        "compare surfaces": lambda: simple.SkdTreeCompareSurfaces(**pair, Tolerance=1e-3),
         "boolean": lambda: simple.SkdTreeBooleanOperation(
             Source=inputs[4], Input=inputs[5], SourceDistribution=way),
     }
