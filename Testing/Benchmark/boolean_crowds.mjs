@@ -5,6 +5,14 @@ import { readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 
 const [folder, file] = process.argv.slice(2);
+// Its heap, which only grows, is an export of the instance.
+let memory;
+const instantiate = WebAssembly.instantiate;
+WebAssembly.instantiate = async (...given) => {
+  const made = await instantiate(...given);
+  memory = Object.values((made.instance ?? made).exports).find((each) => each instanceof WebAssembly.Memory);
+  return made;
+};
 const { default: load } = await import(pathToFileURL(`${folder}/node_modules/manifold-3d/manifold.js`));
 const wasm = await load();
 wasm.setup();
@@ -34,4 +42,4 @@ const count = result.numTri();
 const { user, system } = process.cpuUsage(start);
 console.log(
   `${"  Manifold".padEnd(12)} ${((user + system) * 1e-6).toFixed(3).padStart(8)} s ${String(count).padStart(8)} ` +
-    `triangles, volume ${result.volume()}`);
+    `triangles, volume ${result.volume()}, ${(memory.buffer.byteLength * 1e-6).toFixed(1)} MB`);

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Boolean operations on many solids: processor seconds, triangles, open edges, volume and memory.
 
+Memory of the filter is by how much the process's peak has grown since before the solids were made, so the first case
+of a run has it alone; Manifold's is its heap, which never shrinks.
+
 Run by pvpython with the package vtkskdtree:
     boolean_crowds.py [--manifold FOLDER] [CASE ...]
 A case is a union of dense:N or sparse:N (spheres), cubes:N (turned about one centre), boxes:N (at random) or
@@ -11,6 +14,7 @@ FOLDER has node_modules/manifold-3d (npm install manifold-3d): Manifold in WebAs
 
 import json
 import os
+import resource
 import subprocess
 import sys
 import tempfile
@@ -164,7 +168,13 @@ def run_manifold(folder, case, united, subtracted):
             stdout=subprocess.PIPE).stdout, end="", flush=True)
 
 
+def peak():
+    """Of the process, in MB."""
+    return 1024e-6 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+
 def run(case, manifold):
+    before = peak()
     united, subtracted = solids(case)
     start = time.process_time()
     if case.startswith("chain"):
@@ -174,10 +184,11 @@ def run(case, manifold):
     else:
         output = combine(united, subtracted)
     seconds = time.process_time() - start
+    grown = peak() - before
     report = lambda name: output.GetFieldData().GetArray("SkdReport" + name).GetValue(0)
     faces = len(triangles(output)[1])
     print(f"{case:12} {seconds:8.3f} s {faces:8} triangles, {report('BadEdges')} open edges, "
-        f"volume {report('Volume'):.15g}", flush=True)
+        f"volume {report('Volume'):.15g}, {grown:.1f} MB", flush=True)
     if manifold:
         run_manifold(manifold, case, united, subtracted)
 
