@@ -16,11 +16,11 @@ using namespace skdtree;
 namespace
 {
 
-using Values = std::vector<SkdWeightedValue>;
+using Values = std::vector<SkdWeightedDistance>;
 using Query = SkdWeightedValues::Query;
 
-constexpr long long SkdWeightedValue::*Fine = &SkdWeightedValue::Fine;
-constexpr long long SkdWeightedValue::*Coarse = &SkdWeightedValue::Coarse;
+constexpr long long SkdWeightedDistance::*Fine = &SkdWeightedDistance::Fine;
+constexpr long long SkdWeightedDistance::*Coarse = &SkdWeightedDistance::Coarse;
 
 std::vector<double> FindIn(const Values& values, const std::vector<Query>& queries)
 {
@@ -33,10 +33,10 @@ std::vector<double> FindIn(const Values& values, const std::vector<Query>& queri
 double FindSorted(Values values, const Query& query)
 {
   std::sort(values.begin(), values.end(),
-    [](const SkdWeightedValue& a, const SkdWeightedValue& b) { return a.Value < b.Value; });
+    [](const SkdWeightedDistance& a, const SkdWeightedDistance& b) { return a.Value < b.Value; });
   long long sum = 0;
   double last = 0.0;
-  for (const SkdWeightedValue& value : values)
+  for (const SkdWeightedDistance& value : values)
   {
     const long long weight = value.*query.Weight;
     sum += weight;

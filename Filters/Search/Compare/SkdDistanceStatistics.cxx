@@ -92,17 +92,20 @@ public:
   ///@{
   /// The distances that are not exceeded on some shares of the area, in the fine and the coarse
   /// sum.
-  Shares GetFine(const Shares& shares) const { return this->Find(shares, &SkdWeightedValue::Fine); }
+  Shares GetFine(const Shares& shares) const
+  {
+    return this->Find(shares, &SkdWeightedDistance::Fine);
+  }
   Shares GetCoarse(const Shares& shares) const
   {
-    return this->Find(shares, &SkdWeightedValue::Coarse);
+    return this->Find(shares, &SkdWeightedDistance::Coarse);
   }
   ///@}
 
 private:
   template <class Visit>
   void ForEachSample(const Visit& visit) const;
-  Shares Find(const Shares& shares, long long SkdWeightedValue::*weight) const;
+  Shares Find(const Shares& shares, long long SkdWeightedDistance::*weight) const;
 
   const Triangles& Of;
   const std::vector<double>& Points;
@@ -126,7 +129,7 @@ void Distribution::ForEachSample(const Visit& visit) const
   {
     const long long part = std::llround(triangle.Area / this->Unit);
     const auto visitSample = [&](double distance, long long fine, long long coarse) {
-      visit(SkdWeightedValue{ std::abs(distance), fine * part, coarse * part });
+      visit(SkdWeightedDistance{ std::abs(distance), fine * part, coarse * part });
     };
     for (int k = 0; k < 3; ++k)
     {
@@ -139,12 +142,12 @@ void Distribution::ForEachSample(const Visit& visit) const
   const long long ofPoint = std::llround(PartsOfTriangle / this->Unit);
   for (const double distance : this->Points)
   {
-    visit(SkdWeightedValue{ std::abs(distance), ofPoint, ofPoint });
+    visit(SkdWeightedDistance{ std::abs(distance), ofPoint, ofPoint });
   }
 }
 
 Distribution::Shares Distribution::Find(
-  const Shares& shares, long long SkdWeightedValue::*weight) const
+  const Shares& shares, long long SkdWeightedDistance::*weight) const
 {
   std::vector<SkdWeightedValues::Query> queries;
   for (const double share : shares)
@@ -264,12 +267,12 @@ std::vector<std::size_t> Contributions::GetLargest(double part) const
     {
       for (const double each : this->Each)
       {
-        visit(SkdWeightedValue{ each, std::llround(each / sum * all), 0 });
+        visit(SkdWeightedDistance{ each, std::llround(each / sum * all), 0 });
       }
     },
     this->All);
   const auto rest = static_cast<long long>((1.0 - part) * all);
-  const double least = contributions.Find({ { rest + 1, &SkdWeightedValue::Fine } })[0];
+  const double least = contributions.Find({ { rest + 1, &SkdWeightedDistance::Fine } })[0];
   for (std::size_t i = 0; least > 0.0 && i < this->Each.size(); ++i)
   {
     if (this->Each[i] >= least)

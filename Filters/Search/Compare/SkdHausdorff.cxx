@@ -249,13 +249,13 @@ double Search::FindLimit() const
       {
         if (piece.Bound > limit)
         {
-          visit(SkdWeightedValue{ piece.Bound, 1, 0 });
+          visit(SkdWeightedDistance{ piece.Bound, 1, 0 });
         }
       }
     },
     this->All);
   const double least =
-    bounds.Find({ { wider - std::min(round, left), &SkdWeightedValue::Fine } })[0];
+    bounds.Find({ { wider - std::min(round, left), &SkdWeightedDistance::Fine } })[0];
   if (this->CountWider(least) > 0)
   {
     return least;

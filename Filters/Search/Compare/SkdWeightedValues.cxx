@@ -72,7 +72,7 @@ void SkdWeightedValues::AddUpBins()
 
 SkdWeightedValues::Search SkdWeightedValues::StartIn(const Query& query) const
 {
-  const std::size_t kind = query.Weight == &SkdWeightedValue::Fine ? 0 : 1;
+  const std::size_t kind = query.Weight == &SkdWeightedDistance::Fine ? 0 : 1;
   const std::size_t bins = this->Ends.size();
   const long long most = this->Sums[2 * (bins - 1) + kind];
   const long long part = std::max(1LL, std::min(query.Part, most));

@@ -21,7 +21,7 @@
 namespace skdtree
 {
 /// A value that is not negative, with two weights; the sums of each of all are below 2^63.
-struct SkdWeightedValue
+struct SkdWeightedDistance
 {
   double Value;
   long long Fine;
@@ -31,7 +31,7 @@ struct SkdWeightedValue
 class SkdWeightedValues
 {
 public:
-  /// forEach(visit) calls visit(SkdWeightedValue) for each value that this process has; it is
+  /// forEach(visit) calls visit(SkdWeightedDistance) for each value that this process has; it is
   /// called three times, and must give the same each time. O(n). All processes must call it
   /// together, and Find(), too.
   template <class ForEach>
@@ -41,15 +41,15 @@ public:
     long long number = 0;
     double largest = 0.0;
     forEach(
-      [&](const SkdWeightedValue& value)
+      [&](const SkdWeightedDistance& value)
       {
         ++number;
         largest = std::max(largest, value.Value);
       });
     this->MakeBins(number, largest);
-    forEach([this](const SkdWeightedValue& value) { this->Count(value); });
+    forEach([this](const SkdWeightedDistance& value) { this->Count(value); });
     this->AddUpBins();
-    forEach([this](const SkdWeightedValue& value)
+    forEach([this](const SkdWeightedDistance& value)
       { this->Values[this->Ends[this->BinOf(value.Value)]++] = value; });
   }
 
@@ -58,7 +58,7 @@ public:
   struct Query
   {
     long long Part;
-    long long SkdWeightedValue::*Weight;
+    long long SkdWeightedDistance::*Weight;
   };
 
   /// The values of some queries; 0 if there are no values.
@@ -80,7 +80,7 @@ private:
       std::min(this->Scale * value, static_cast<double>(this->Ends.size() - 1)));
   }
   void MakeBins(long long number, double largest);
-  void Count(const SkdWeightedValue& value)
+  void Count(const SkdWeightedDistance& value)
   {
     const std::size_t bin = this->BinOf(value.Value);
     ++this->Ends[bin];
@@ -96,7 +96,7 @@ private:
 
   const SkdReduction& All;
   double Scale = 0.0;
-  std::vector<SkdWeightedValue> Values; // own, bin after bin
+  std::vector<SkdWeightedDistance> Values; // own, bin after bin
   std::vector<std::size_t> Ends;
   std::vector<long long> Sums; // of all, both weights of each bin and those before
 };
