@@ -7,6 +7,7 @@ Prints "file:line: what is wrong" and returns 1 where the tree departs from the 
 - a circle of includes (a header and the sources of the same name count as one),
 - a file or a function that is too long,
 - a declaration outside of all namespaces that is not named as VTK's classes are,
+- a type that two headers define by the same name,
 - an include guard that is not named as its header is,
 - a word that is no longer used,
 - the picture of the folders in Filters/README.md.
@@ -25,6 +26,8 @@ import sys
 import picture
 
 INCLUDE = re.compile(r'\s*#\s*include\s*(["<])([^">]+)[">]')
+TYPE = re.compile(r"^(?:template\b.*>\s+)?(?:class|struct|union|enum(?: class)?)\s+"
+    r"(?:alignas\(.*?\)\s+|[A-Z_]+\s+)?(\w+)(?:\s+final)?(?:\s*:[^:].*)?$", re.M)
 GUARD = re.compile(r'^#ifndef (\w+)\n#define \1$', re.M)
 PLAN = pathlib.Path(__file__).resolve().parent / "plan.txt"
 
@@ -289,6 +292,20 @@ def check_guards(root, names):
             yield name, 1, "the include guard is %s" % guard.group(1)
 
 
+def check_types(root, names):
+    """No two headers define a type of one name: if both were of one namespace, neither the compiler
+    nor the linker would say so, and functions of one would be called for the other."""
+    homes = {}
+    for name in sorted(names):
+        if name.endswith(".h"):
+            text = blank_out((root / "Filters" / name).read_text(encoding="utf8"))
+            for match in TYPE.finditer(text):
+                home = homes.setdefault(match.group(1), name)
+                if home != name:
+                    yield name, text.count("\n", 0, match.start()) + 1, \
+                        "%s is also defined in %s" % (match.group(1), home)
+
+
 def check_words(plan, root, names):
     for name in names:
         if not name.endswith((".h", ".cxx", ".py", ".md", ".xml", ".txt", ".cmake", ".sh", ".in")):
@@ -312,6 +329,7 @@ def check(root, plan):
     found = ["Filters/%s:%d: %s" % each for each in check_folders(plan, includes)]
     found += ["Filters/%s:%d: %s" % each for each in check_circles(includes)]
     found += ["Filters/%s:%d: %s" % each for each in check_namespaces(root, headers)]
+    found += ["Filters/%s:%d: %s" % each for each in check_types(root, headers)]
     found += ["%s:%d: %s" % each for each in check_lengths(plan, root, names)]
     found += ["%s:%d: %s" % each for each in check_guards(root, names)]
     found += ["%s:%d: %s" % each for each in check_words(plan, root, names)]

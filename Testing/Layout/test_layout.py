@@ -58,6 +58,8 @@ def plant(plan):
         "in no namespace: std::vector<int> SkdOutside"
     yield "a method in no namespace", "Filters/Cells/Read/SkdShape.cxx", \
         "void SkdOutside::Run()\n{\n}\n", "in no namespace: void SkdOutside::Run"
+    yield "a type of a name that is taken", "Filters/Pipeline/SkdReport.h", \
+        "namespace skdtree\n{\nstruct SkdTransport\n  : Other\n{\n};\n}\n", "SkdTransport is also defined in"
     yield "a guard of another name", "Filters/Pipeline/SkdOld.h", \
         "#ifndef SkdOlder_h\n#define SkdOlder_h\n#endif\n", "the include guard is SkdOlder_h"
     yield "an old word in code", "Filters/Cells/Read/SkdShape.cxx", \
