@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdNearPoints.h"
 
+#include "Cells/Read/SkdMagnitudes.h"
 #include "vtkPointSet.h"
 
 #include <algorithm>
@@ -20,17 +21,14 @@ constexpr double UnitsInTheLastPlace = 4.0;
 
 using Pair = std::pair<vtkIdType, vtkIdType>; // of points, the lower number first
 
-double LargestCoordinate(const std::vector<skd::Vector3>& points)
+/// Of points that cells are not left out for: a tolerance by one at infinity would make all points
+/// one.
+void AddCoordinates(const skd::Vector3& point, double& largest)
 {
-  double largest = 0.0;
-  for (const skd::Vector3& point : points)
+  for (int axis = 0; axis < 3 && SkdIsWithin(point, SkdMeasurable.Largest); ++axis)
   {
-    for (const double coordinate : point.X)
-    {
-      largest = std::max(largest, std::abs(coordinate)); // NaN is never larger
-    }
+    largest = std::max(largest, std::abs(point[axis]));
   }
-  return largest;
 }
 
 // Along a direction in which points of a lattice have different coordinates, so that few other
@@ -115,14 +113,11 @@ bool SkdIsSingle(vtkDataSet* piece)
 double SkdLargestCoordinateOf(vtkDataSet* piece)
 {
   double largest = 0.0;
-  for (vtkIdType point = 0; point < piece->GetNumberOfPoints(); ++point)
+  for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
   {
-    double x[3];
-    piece->GetPoint(point, x);
-    for (const double coordinate : x)
-    {
-      largest = std::max(largest, std::abs(coordinate)); // NaN is never larger
-    }
+    skd::Vector3 point;
+    piece->GetPoint(i, point.X);
+    AddCoordinates(point, largest);
   }
   return largest;
 }
@@ -138,7 +133,12 @@ void SkdMergeNearPoints(const SkdPieces& pieces, const std::vector<skd::Vector3>
   std::vector<std::vector<vtkIdType>>& keys)
 {
   const bool isSingle = std::any_of(pieces.begin(), pieces.end(), SkdIsSingle);
-  SkdMergeNearPoints(SkdNearTolerance(isSingle, LargestCoordinate(points)), points, keys);
+  double largest = 0.0;
+  for (const skd::Vector3& point : points)
+  {
+    AddCoordinates(point, largest);
+  }
+  SkdMergeNearPoints(SkdNearTolerance(isSingle, largest), points, keys);
 }
 
 void SkdMergeNearPoints(double tolerance, const std::vector<skd::Vector3>& points,

@@ -25,7 +25,8 @@ void SkdMergeNearPoints(double tolerance, const std::vector<skd::Vector3>& point
 /// Whether the points of a piece are stored in single precision.
 bool SkdIsSingle(vtkDataSet* piece);
 
-/// The largest magnitude of a coordinate of a piece's points. O(n).
+/// The largest magnitude of a coordinate of a piece's points, but of those that are not finite or
+/// beyond SkdMeasurable. O(n).
 double SkdLargestCoordinateOf(vtkDataSet* piece);
 
 /// How near such points are to each other.

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -269,6 +270,21 @@ TEST(JoinedPieces, PointsThatDifferByRounding)
     });
   const SkdJoinedPieces joined = SkdJoinPieces({ MakeGrid(left), MakeGrid(right) });
   EXPECT_EQ(joined.Mesh->GetNumberOfPoints(), 12);
+}
+
+// What is near is relative to the largest coordinate that counts.
+TEST(JoinedPieces, PointsAtInfinityMergeNoOthers)
+{
+  const Mesh left = Transformed(Hexahedra(1), 0.1, { 0.7, 0.3, 0.1 });
+  const Mesh right = Transformed(Hexahedra(1), 0.1, { 0.8, 0.3, 0.1 });
+  const std::size_t far = right.Points.size() - 1; // left has the first of each pair
+  for (const double x : { std::numeric_limits<double>::infinity(), 1e60, std::nan("") })
+  {
+    Mesh moved = right;
+    moved.Points[far] = { { x, 0.0, 0.0 } };
+    const Pieces pieces{ MakeGrid(left), MakeGrid(moved) };
+    EXPECT_EQ(SkdJoinPieces(pieces).Mesh->GetNumberOfPoints(), 12) << x;
+  }
 }
 
 //------------------------------------------------------------------------------

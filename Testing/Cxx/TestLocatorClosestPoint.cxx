@@ -206,6 +206,21 @@ TEST(ClosestPointCell, IsThatOfVtkForEveryTypeWhateverWasInIt)
   }
 }
 
+// Without a hull it is searched as points, and loaded as what it is.
+TEST(ClosestPointCell, IsAConvexPointSetOfEqualPoints)
+{
+  Mesh mesh;
+  mesh.Points.assign(4, Point{ { 1.0, 2.0, 3.0 } });
+  mesh.Add(VTK_CONVEX_POINT_SET, { 0, 1, 2, 3 });
+  const auto grid = MakeGrid(mesh);
+  vtkNew<vtkGenericCell> cell;
+  Closest c;
+  MakeLocator(grid)->FindClosestPoint(
+    mesh.Points[0].data(), c.X.data(), cell, c.Cell, c.SubId, c.Dist2);
+  ASSERT_EQ(c.Cell, 0);
+  ExpectCell(cell, grid, 0);
+}
+
 TEST_P(ClosestPointOnMesh, AllFormsAgree)
 {
   for (Point x : this->Queries(30))

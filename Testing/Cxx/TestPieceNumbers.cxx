@@ -272,6 +272,23 @@ TEST(PieceNumbersNear, PointsThatDifferByRounding)
     SkdJoinPieces(pieces).Mesh->GetNumberOfPoints(), static_cast<vtkIdType>(whole.Points.size()));
 }
 
+// One that does not count makes no others near each other.
+TEST(PieceNumbersNear, PointsBesideOneAtInfinity)
+{
+  Pieces pieces;
+  for (const double shift : { 0.0, 1.0, 2.0 })
+  {
+    Mesh part = Transformed(Hexahedra(1), 1.0, { shift, 0.0, 0.0 });
+    if (shift == 2.0)
+    {
+      part.Points.back() = { { 1e60, 0.0, 0.0 } };
+    }
+    pieces.push_back(MakeGrid(part));
+  }
+  ExpectNumbersOfJoined(pieces);
+  EXPECT_EQ(SkdJoinPieces(pieces).Mesh->GetNumberOfPoints(), 16);
+}
+
 //------------------------------------------------------------------------------
 // Two columns of cells of one process each, with the global ids of the whole.
 Pieces WithGlobalIds()

@@ -86,7 +86,7 @@ int SkdCellTypeOfShape(SkdShape shape)
 {
   static constexpr std::uint8_t types[] = { VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_PIXEL, VTK_QUAD,
     VTK_TETRA, VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_POLYGON, VTK_TRIANGLE_STRIP,
-    VTK_POLY_LINE, VTK_POLY_VERTEX };
+    VTK_POLY_LINE };
   const auto index = static_cast<std::size_t>(shape);
   return index < std::size(types) ? int(types[index]) : int(VTK_EMPTY_CELL);
 }
