@@ -59,9 +59,9 @@
  *
  * Several processes divide the base cells among themselves, in order, and each outputs its own with
  * all their descendants (of an overlapping AMR data set, every n-th block); together the result is
- * that of one process, including CellLimit. Without Balance and
- * GrowingLayers each refines only its own base cells (of an unstructured grid also the adjacent
- * ones, for hanging nodes), and all processes must update, because they count their cells together.
+ * that of one process, including CellLimit. Without Balance and GrowingLayers each refines only its
+ * own base cells (of an unstructured grid also the adjacent ones, for hanging nodes), and all
+ * processes must update, because they count their cells together.
  * With these, and for overlapping AMR data sets, each refines all. Of the parts each gets all, or
  * what is near its own base cells: see SetSourceDistribution. Reports count a process's own cells.
  *

@@ -74,34 +74,44 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
   vtkInformationVector* outputs, const std::function<int(vtkInformationVector** inputs)>& process)
 {
   const SkdValidInput valid(this->Filter, request, inputs, this->AnyMagnitude);
-  std::vector<vtkSmartPointer<vtkInformationVector>> retained;
-  std::vector<vtkInformationVector*> whole;
   this->Pieces.clear();
   for (int port = 0; port < this->Filter->GetNumberOfInputPorts(); ++port)
   {
     this->Pieces.emplace_back(vtkDataObject::GetData(valid.Get()[port]));
   }
+  std::vector<vtkSmartPointer<vtkInformationVector>> retained;
+  std::vector<vtkInformationVector*> whole;
+  this->GatherAll(valid.Get(), outputs, retained, whole);
+  const bool isFit = this->CheckGlobalIds();
+  const int result = isFit ? process(whole.data()) : 0;
+  this->Pieces.clear(); // or their data would stay
+  if (isFit)
+  {
+    valid.Report(outputs);
+    this->Report(outputs);
+  }
+  return result;
+}
+
+// What is brought is near what the filter says, or near the other input, or near what is there of
+// the first, which may be the whole of it.
+void SkdFilterInputs::GatherAll(vtkInformationVector** inputs, vtkInformationVector* outputs,
+  std::vector<vtkSmartPointer<vtkInformationVector>>& retained,
+  std::vector<vtkInformationVector*>& whole)
+{
   vtkDataObject* const own = this->Own ? this->Own(outputs) : nullptr;
   for (int port = 0; port < this->Filter->GetNumberOfInputPorts(); ++port)
   {
     retained.push_back(vtkSmartPointer<vtkInformationVector>::New());
-    retained.back()->Copy(valid.Get()[port]);
-    vtkDataObject* const first = vtkDataObject::GetData(retained.front());
-    this->GatherInto(retained.back(), port,
-      this->Own            ? own
-        : this->FindMutual ? this->GetPiece(1 - port)
-                           : first);
+    retained.back()->Copy(inputs[port]);
+    vtkDataObject* near = own;
+    if (!this->Own)
+    {
+      near = this->FindMutual ? this->GetPiece(1 - port) : vtkDataObject::GetData(retained.front());
+    }
+    this->GatherInto(retained.back(), port, near);
     whole.push_back(retained.back());
   }
-  if (!this->CheckGlobalIds())
-  {
-    return 0;
-  }
-  const int result = process(whole.data());
-  this->Pieces.clear(); // or their data would stay
-  valid.Report(outputs);
-  this->Report(outputs);
-  return result;
 }
 
 // What was requested of the input says whether it is this process's piece.

@@ -116,6 +116,9 @@ private:
   int ProcessData(vtkInformation* request, vtkInformationVector** inputs,
     vtkInformationVector* outputs,
     const std::function<int(vtkInformationVector** inputs)>& process);
+  void GatherAll(vtkInformationVector** inputs, vtkInformationVector* outputs,
+    std::vector<vtkSmartPointer<vtkInformationVector>>& retained,
+    std::vector<vtkInformationVector*>& whole);
   void GatherInto(vtkInformationVector* inputs, int port, vtkDataObject* own);
   vtkDataObject* Gather(vtkDataObject* piece, std::pair<int, int> slot, vtkDataObject* own,
     vtkMultiProcessController* controller);

@@ -21,20 +21,10 @@ constexpr long long PartsOfTriangle = 48;
 /// 1.5e-11. Without it a quantile of equal weights may be the next sample's.
 constexpr double WeightRounding = 1e-10;
 
-double Magnitude(double distance)
-{
-  return std::abs(distance);
-}
-
-double Signed(double distance)
-{
-  return distance;
-}
-
-double Square(double distance)
-{
-  return distance * distance;
-}
+// Objects, of a type each, so that templates inline them.
+constexpr auto Magnitude = [](double distance) { return std::abs(distance); };
+constexpr auto Signed = [](double distance) { return distance; };
+constexpr auto Square = [](double distance) { return distance * distance; };
 
 /// Appends three sums of a function of the distance: its integral, the difference of the fine and
 /// the coarse one, and the squares of each triangle's difference.

@@ -11,6 +11,7 @@
 #ifndef SkdWeightedValues_h
 #define SkdWeightedValues_h
 
+#include "Core/Search/Tree/RawVector.h"
 #include "Search/Compare/SkdReduction.h"
 
 #include <algorithm>
@@ -96,7 +97,7 @@ private:
 
   const SkdReduction& All;
   double Scale = 0.0;
-  std::vector<SkdWeightedDistance> Values; // own, bin after bin
+  skd::RawVector<SkdWeightedDistance> Values; // own, bin after bin
   std::vector<std::size_t> Ends;
   std::vector<long long> Sums; // of all, both weights of each bin and those before
 };

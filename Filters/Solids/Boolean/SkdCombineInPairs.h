@@ -34,10 +34,9 @@ bool SkdHasUnitedOperands(SkdBooleanOperation operation, bool areInputs);
 /// The two operands of an operation, each the union of some solids: all of the first and the second
 /// input; else the first solid and the others, or of a union any halves. A solid whose pieces are
 /// closed, face outward and do not intersect themselves, is in a group by its pieces, unless what
-/// two of them cover is outside. `findPairs`
-/// returns those of two triangles of one piece, and maybe others; it is called with the piece that
-/// each triangle is of. Empty if a solid is not closed, or if the operation does not have
-/// such operands or they are of few solids. O(n).
+/// two of them cover is outside. `findPairs` returns the pairs of two triangles of one piece that
+/// touch, and maybe others; it is called with the piece that each triangle is of. Empty if a solid
+/// is not closed, or if the operation does not have such operands or they are of few solids. O(n).
 std::optional<std::array<SkdSolidGroup, 2>> SkdFindSolidGroups(const SkdTriangleSet& set,
   const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule,
   const std::function<std::vector<SkdTrianglePair>(const std::vector<std::uint32_t>&)>& findPairs);
