@@ -87,90 +87,38 @@ int StoreHits(const std::vector<SkdHitCell>& hits, const skd::Segment<3>& segmen
   }
   return hits.empty() ? 0 : 1;
 }
-}
 
-//------------------------------------------------------------------------------
-vtkSkdTreeCellLocator::vtkSkdTreeCellLocator()
-  : Impl(std::make_unique<SkdLocatorState>())
+/// Where a point is nearest to a cell, in the caller's memory.
+struct Location
 {
-  this->NumberOfCellsPerNode = skd::Node<3>::Width;
-  this->CacheCellBounds = 0;
-}
+  double* Point;
+  int& SubId;
+  double* PCoords;
+  double& Dist2;
+  double* Weights;
 
-//------------------------------------------------------------------------------
-vtkSkdTreeCellLocator::~vtkSkdTreeCellLocator()
-{
-  this->FreeSearchStructure();
-}
-
-//------------------------------------------------------------------------------
-// Without a mesh that was kept, as after ForceBuildLocator, an existing structure is used as it is.
-bool vtkSkdTreeCellLocator::IsUpToDate()
-{
-  if (!this->Impl->GetTree())
+  /// False, and sets nothing, if there is no cell.
+  bool Set(const SkdLocatorState& state, const SkdCellSource& source, SkdFoundCell found) const
   {
-    return false;
+    if (found.Id < 0)
+    {
+      return false;
+    }
+    const SkdCellTree& tree = *state.GetTree();
+    tree.Interpolate(found, this->Weights, source);
+    this->SubId = found.SubId;
+    this->Dist2 = found.Dist2;
+    const skd::Vector3 point = state.ToWorld(found.Point);
+    SkdStore(point, this->Point);
+    SkdStore(tree.MovedPCoords(state.GetMotion(), found.Id, point, found.PCoords), this->PCoords);
+    return true;
   }
-  if (this->UseExistingSearchStructure)
-  {
-    const vtkMTimeType checked = this->Impl->GetCheckTime();
-    return checked == 0 || !this->DataSet ||
-      (checked > this->MTime && checked > this->DataSet->GetMTime());
-  }
-  return this->IsNewerThanData();
+};
 }
 
 //------------------------------------------------------------------------------
-bool vtkSkdTreeCellLocator::IsNewerThanData()
-{
-  return this->BuildTime > this->MTime &&
-    (!this->DataSet || this->BuildTime > this->DataSet->GetMTime());
-}
-
-//------------------------------------------------------------------------------
-void vtkSkdTreeCellLocator::FreeSearchStructure()
-{
-  this->Impl->SetTree(nullptr);
-  this->Impl->Forget();
-  this->FreeCellBounds();
-}
-
-//------------------------------------------------------------------------------
-// Threads whose first query finds no tree wait for one of them to build it.
-const SkdCellTree& vtkSkdTreeCellLocator::GetTree()
-{
-  if (!this->IsUpToDate())
-  {
-    const std::lock_guard<std::mutex> lock(this->Impl->Building);
-    this->BuildLocator();
-  }
-  return *this->Impl->GetTree();
-}
-
-//------------------------------------------------------------------------------
-void vtkSkdTreeCellLocator::SetTransform(vtkMatrix4x4* motion)
-{
-  if (!motion)
-  {
-    this->Impl->Motion.reset();
-    return;
-  }
-  const auto rigid = skd::RigidMotion::FromMatrix(&motion->Element[0][0]);
-  if (!rigid)
-  {
-    vtkErrorMacro("The transform is not rigid and is ignored. "
-                  "Use rotations, reflections and translations only.");
-    return;
-  }
-  this->Impl->Motion = rigid;
-  this->Impl->Matrix->DeepCopy(motion);
-}
-
-//------------------------------------------------------------------------------
-vtkMatrix4x4* vtkSkdTreeCellLocator::GetTransform()
-{
-  return this->Impl->Motion ? this->Impl->Matrix.Get() : nullptr;
-}
+vtkSkdTreeCellLocator::vtkSkdTreeCellLocator() = default;
+vtkSkdTreeCellLocator::~vtkSkdTreeCellLocator() = default;
 
 //------------------------------------------------------------------------------
 int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2[3], double tol,
@@ -439,6 +387,7 @@ vtkIdType vtkSkdTreeCellLocator::FindCellWithHint(double x[3], double tol2, vtkI
 }
 
 #if VTK_SKD_LOCATOR_97
+
 //------------------------------------------------------------------------------
 vtkIdType vtkSkdTreeCellLocator::FindCell(double x[3], vtkCell*, vtkGenericCell* genericCell,
   vtkIdType cellId, double tol2, int& subId, double pcoords[3], double* weights)
@@ -446,6 +395,54 @@ vtkIdType vtkSkdTreeCellLocator::FindCell(double x[3], vtkCell*, vtkGenericCell*
   return this->FindCellWithHint(x, tol2, cellId, genericCell, subId, pcoords, weights);
 }
 #endif
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindClosestLocation(const double x[3], double radius,
+  double closestPoint[3], int& subId, double pcoords[3], double& dist2, double* weights)
+{
+  const SkdCellTree& tree = this->GetTree();
+  if (!(radius >= 0.0))
+  {
+    return -1;
+  }
+  const SkdCellSource source{ this->DataSet };
+  const SkdFoundCell found = tree.FindNearest(this->Impl->ToTree(x), radius * radius, source);
+  Location{ closestPoint, subId, pcoords, dist2, weights }.Set(*this->Impl, source, found);
+  return found.Id;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSkdTreeCellLocator::EvaluateCell(vtkIdType cellId, const double x[3],
+  double closestPoint[3], int& subId, double pcoords[3], double& dist2, double* weights)
+{
+  const SkdCellTree& tree = this->GetTree();
+  const SkdCellSource source{ this->DataSet };
+  const SkdFoundCell found = tree.Evaluate(cellId, this->Impl->ToTree(x), source);
+  return Location{ closestPoint, subId, pcoords, dist2, weights }.Set(*this->Impl, source, found);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindCellBorders(
+  const double p1[3], const double p2[3], double tolerance, vtkDoubleArray* parameters)
+{
+  thread_local std::vector<double> borders;
+  borders.clear();
+  parameters->SetNumberOfComponents(1);
+  parameters->Reset();
+  const skd::Segment<3> segment = this->Impl->ToTree(p1, p2);
+  if (!skd::SegmentView(segment).IsValid())
+  {
+    return 0;
+  }
+  borders.insert(borders.end(), { 0.0, 1.0 });
+  const SkdCellSource source{ this->DataSet };
+  this->GetTree().FindBorders(segment, tolerance, source, borders);
+  std::sort(borders.begin(), borders.end());
+  borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
+  parameters->SetNumberOfTuples(static_cast<vtkIdType>(borders.size()));
+  std::copy(borders.begin(), borders.end(), parameters->GetPointer(0));
+  return parameters->GetNumberOfTuples();
+}
 
 //------------------------------------------------------------------------------
 void vtkSkdTreeCellLocator::FindCellsWithinBounds(double* bbox, vtkIdList* cells)
@@ -484,19 +481,5 @@ bool vtkSkdTreeCellLocator::InsideCellBounds(double x[3], vtkIdType cellId)
 void vtkSkdTreeCellLocator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Epsilon: " << this->Epsilon << "\n";
-  os << indent << "LazyBuild: " << this->LazyBuild << "\n";
-  os << indent << "SplitRule: " << this->SplitRule << "\n";
-  os << indent << "SkipGhostCells: " << this->SkipGhostCells << "\n";
-  os << indent << "Transform: " << (this->Impl->Motion ? "" : "(none)") << "\n";
-  if (this->Impl->Motion)
-  {
-    this->Impl->Matrix->PrintSelf(os, indent.GetNextIndent());
-  }
-  os << indent << "NumberOfCellsInTree: " << this->GetNumberOfCellsInTree() << "\n";
-  os << indent << "SplitRuleInUse: " << this->GetSplitRuleInUse() << "\n";
-  os << indent << "NumberOfNodes: " << this->GetNumberOfNodes() << "\n";
-  os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
-  os << indent << "BytesPerCell: " << this->GetBytesPerCell() << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -17,8 +17,8 @@ APART = ("Solids", "Cells")  # families whose folders are boxes of their own
 
 def box_of(row):
     """The box that a row of the plan, or the folder of a file, belongs to; None of public headers."""
-    if row.startswith(LOCATOR):
-        return LOCATOR
+    if fnmatch.fnmatchcase(row.rpartition(".")[0], "vtkSkdTree*CellLocator"):
+        return LOCATOR if row.endswith(".cxx") else None
     if row.startswith("vtkSkdTree"):
         return None if row.endswith(".h") else FILTERS
     parts = row.split("/")

@@ -40,7 +40,7 @@ def test_comments_are_whole():
     assert words(vtkSkdTreeCellLocator.FindAllHits).endswith("`tol` is that of IntersectWithLine.")
     assert "sorted by (t, cell id)" in words(vtkSkdTreeCellLocator.FindAllHits)
     assert words(vtkSkdTreeCellLocator.FindClosestPoints).endswith("and its distance.")
-    assert "leave the outputs unchanged" in words(vtkSkdTreeCellLocator)
+    assert "leave the outputs unchanged" in words(vtkFiltersSkdTree.vtkSkdTreeBatchCellLocator)
     assert Locator.FindAllHits.__doc__ == inspect.getdoc(vtkSkdTreeCellLocator.FindAllHits)
 
 

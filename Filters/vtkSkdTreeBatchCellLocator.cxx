@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The locator's batches: queries over arrays, in parallel, with results in flat arrays.
-#include "vtkSkdTreeCellLocator.h"
+#include "vtkSkdTreeBatchCellLocator.h"
 
-#include "Cells/Search/SkdBatchLists.h"
-#include "Cells/Search/SkdBatchOutputs.h"
 #include "Cells/Search/SkdCoherentNearest.h"
-#include "Cells/Search/SkdLocatorState.h"
+#include "Cells/Search/SkdLineBatches.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
@@ -173,8 +170,12 @@ private:
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkSkdTreeCellLocator::FindClosestPoints(vtkDataArray* points, vtkIdTypeArray* cellIds,
-  vtkDoubleArray* closestPoints, vtkDoubleArray* distances, double radius)
+vtkSkdTreeBatchCellLocator::vtkSkdTreeBatchCellLocator() = default;
+vtkSkdTreeBatchCellLocator::~vtkSkdTreeBatchCellLocator() = default;
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeBatchCellLocator::FindClosestPoints(vtkDataArray* points,
+  vtkIdTypeArray* cellIds, vtkDoubleArray* closestPoints, vtkDoubleArray* distances, double radius)
 {
   if (SkdIsRefused(this, "FindClosestPoints", points, SkdBatchOf::Points,
         { cellIds, closestPoints, distances }))
@@ -202,7 +203,7 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestPoints(vtkDataArray* points, vtkIdTy
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkSkdTreeCellLocator::FindClosestNCells(
+vtkIdType vtkSkdTreeBatchCellLocator::FindClosestNCells(
   vtkDataArray* points, int n, vtkIdTypeArray* cellIds, vtkDoubleArray* distances, double radius)
 {
   std::string reason =
@@ -238,7 +239,7 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestNCells(
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkSkdTreeCellLocator::FindCells(
+vtkIdType vtkSkdTreeBatchCellLocator::FindCells(
   vtkDataArray* points, vtkIdTypeArray* cellIds, vtkDoubleArray* pcoords, double tol2)
 {
   return SkdIsRefused(this, "FindCells", points, SkdBatchOf::Points, { cellIds, pcoords })
@@ -247,8 +248,9 @@ vtkIdType vtkSkdTreeCellLocator::FindCells(
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkSkdTreeCellLocator::FindCellsAndWeights(vtkDataArray* points, vtkIdTypeArray* cellIds,
-  vtkDoubleArray* pcoords, vtkIdTypeArray* pointIds, vtkDoubleArray* weights, double tol2)
+vtkIdType vtkSkdTreeBatchCellLocator::FindCellsAndWeights(vtkDataArray* points,
+  vtkIdTypeArray* cellIds, vtkDoubleArray* pcoords, vtkIdTypeArray* pointIds,
+  vtkDoubleArray* weights, double tol2)
 {
   if (SkdIsRefused(this, "FindCellsAndWeights", points, SkdBatchOf::Points,
         { cellIds, pcoords, pointIds, weights }))
@@ -281,7 +283,107 @@ vtkIdType vtkSkdTreeCellLocator::FindCellsAndWeights(vtkDataArray* points, vtkId
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkSkdTreeCellLocator::FindCellsWithinBoxes(
+vtkIdType vtkSkdTreeBatchCellLocator::IntersectWithLines(vtkDataArray* lines,
+  vtkIdTypeArray* cellIds, vtkDoubleArray* parameters, vtkDoubleArray* points, double tol)
+{
+  if (SkdIsRefused(
+        this, "IntersectWithLines", lines, SkdBatchOf::Lines, { cellIds, parameters, points }))
+  {
+    return -1;
+  }
+  const SkdLineSearch queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const SkdBatch batch(lines, SkdBatchOf::Lines, queries.Sorts());
+  return SkdFindFirstHits(
+    queries, batch, SkdGivenLines(batch), { cellIds, parameters, "SkdParameter", points });
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeBatchCellLocator::FindAllHits(vtkDataArray* lines, vtkIdTypeArray* offsets,
+  vtkIdTypeArray* cellIds, vtkDoubleArray* parameters, vtkDoubleArray* points, double tol)
+{
+  if (SkdIsRefused(
+        this, "FindAllHits", lines, SkdBatchOf::Lines, { offsets, cellIds, parameters, points }))
+  {
+    return -1;
+  }
+  const SkdLineSearch queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const SkdBatch batch(lines, SkdBatchOf::Lines, queries.Sorts());
+  return SkdFindHitLists(
+    queries, batch, SkdGivenLines(batch), offsets, { cellIds, parameters, "SkdParameter", points });
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeBatchCellLocator::IntersectWithSegments(vtkDataArray* starts,
+  vtkDataArray* ends, vtkIdTypeArray* cellIds, vtkDoubleArray* parameters, vtkDoubleArray* points,
+  double tol)
+{
+  if (SkdIsRefused(this, "IntersectWithSegments",
+        SkdReasonAgainstBoth(starts, "starts", ends, "ends", { cellIds, parameters, points })))
+  {
+    return -1;
+  }
+  const SkdLineSearch queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const SkdBatch batch(starts, ends, queries.Sorts());
+  return SkdFindFirstHits(
+    queries, batch, SkdGivenLines(batch), { cellIds, parameters, "SkdParameter", points });
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeBatchCellLocator::FindAllSegmentHits(vtkDataArray* starts, vtkDataArray* ends,
+  vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds, vtkDoubleArray* parameters,
+  vtkDoubleArray* points, double tol)
+{
+  if (SkdIsRefused(this, "FindAllSegmentHits",
+        SkdReasonAgainstBoth(
+          starts, "starts", ends, "ends", { offsets, cellIds, parameters, points })))
+  {
+    return -1;
+  }
+  const SkdLineSearch queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const SkdBatch batch(starts, ends, queries.Sorts());
+  return SkdFindHitLists(
+    queries, batch, SkdGivenLines(batch), offsets, { cellIds, parameters, "SkdParameter", points });
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeBatchCellLocator::IntersectWithRays(vtkDataArray* origins,
+  vtkDataArray* directions, vtkIdTypeArray* cellIds, vtkDoubleArray* distances,
+  vtkDoubleArray* points, double maximum, double tol)
+{
+  if (SkdIsRefused(this, "IntersectWithRays",
+        SkdReasonAgainstBoth(
+          origins, "origins", directions, "directions", { cellIds, distances, points })))
+  {
+    return -1;
+  }
+  const SkdLineSearch queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const SkdBatch batch(origins, SkdBatchOf::Points, queries.Sorts());
+  const SkdLinesOfRays lines(
+    batch, directions, queries.Tree.Cells().GetBounds(), queries.State, maximum, tol);
+  return SkdFindFirstHits(queries, batch, lines, { cellIds, distances, "SkdDistance", points });
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeBatchCellLocator::FindAllRayHits(vtkDataArray* origins,
+  vtkDataArray* directions, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds,
+  vtkDoubleArray* distances, vtkDoubleArray* points, double maximum, double tol)
+{
+  if (SkdIsRefused(this, "FindAllRayHits",
+        SkdReasonAgainstBoth(
+          origins, "origins", directions, "directions", { offsets, cellIds, distances, points })))
+  {
+    return -1;
+  }
+  const SkdLineSearch queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const SkdBatch batch(origins, SkdBatchOf::Points, queries.Sorts());
+  const SkdLinesOfRays lines(
+    batch, directions, queries.Tree.Cells().GetBounds(), queries.State, maximum, tol);
+  return SkdFindHitLists(
+    queries, batch, lines, offsets, { cellIds, distances, "SkdDistance", points });
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeBatchCellLocator::FindCellsWithinBoxes(
   vtkDataArray* boxes, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds)
 {
   if (SkdIsRefused(this, "FindCellsWithinBoxes", boxes, SkdBatchOf::Boxes, { offsets, cellIds }))
@@ -292,7 +394,7 @@ vtkIdType vtkSkdTreeCellLocator::FindCellsWithinBoxes(
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkSkdTreeCellLocator::FindCellsWithinSpheres(vtkDataArray* spheres,
+vtkIdType vtkSkdTreeBatchCellLocator::FindCellsWithinSpheres(vtkDataArray* spheres,
   vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds, vtkDoubleArray* distances)
 {
   if (SkdIsRefused(this, "FindCellsWithinSpheres", spheres, SkdBatchOf::Spheres,
@@ -328,8 +430,8 @@ vtkIdType vtkSkdTreeCellLocator::FindCellsWithinSpheres(vtkDataArray* spheres,
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkSkdTreeCellLocator::FindPairs(
-  vtkSkdTreeCellLocator* other, vtkIdTypeArray* offsets, vtkIdTypeArray* otherCellIds)
+vtkIdType vtkSkdTreeBatchCellLocator::FindPairs(
+  vtkSkdTreeBatchCellLocator* other, vtkIdTypeArray* offsets, vtkIdTypeArray* otherCellIds)
 {
   if (!other || (offsets && offsets == otherCellIds))
   {
@@ -345,5 +447,11 @@ vtkIdType vtkSkdTreeCellLocator::FindPairs(
   }
   return FindLists(other->GetTree(), other->Impl->GetMotion(),
     BoundsOfCells(tree, this->Impl->GetMotion(), size), true, offsets, otherCellIds);
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeBatchCellLocator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
 }
 VTK_ABI_NAMESPACE_END
