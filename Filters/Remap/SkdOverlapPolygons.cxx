@@ -4,7 +4,7 @@
 
 #include "Remap/SkdRemapTolerances.h"
 
-#include "Core/Geometry/Distance/ClosestPoint.h"
+#include "Core/Geometry/Distance/ClosestPointOnSegment.h"
 #include "Core/Geometry/Overlap/LonLatOutline.h"
 #include "Core/Geometry/Overlap/PolygonOverlap.h"
 #include "Core/Geometry/Overlap/SegmentOverlap.h"

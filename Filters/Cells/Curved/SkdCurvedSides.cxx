@@ -6,7 +6,7 @@
 #include "Cells/Read/SkdCountedPoints.h"
 #include "Cells/Read/SkdTolerances.h"
 #include "Core/Geometry/Cells/LinearShapes.h"
-#include "Core/Geometry/Distance/ClosestPoint.h"
+#include "Core/Geometry/Distance/ClosestPointOnSegment.h"
 
 #include "vtkCell.h"
 #include "vtkCellType.h"

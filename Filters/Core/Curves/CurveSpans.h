@@ -3,7 +3,7 @@
 #ifndef skd_Curves_CurveSpans_h
 #define skd_Curves_CurveSpans_h
 
-#include "../Geometry/Distance/ClosestPoint.h"
+#include "../Geometry/Distance/ClosestPointOnSegment.h"
 #include "BezierCurve.h"
 #include "Tolerances.h"
 

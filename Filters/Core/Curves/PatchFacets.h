@@ -13,7 +13,7 @@
 #ifndef skd_Curves_PatchFacets_h
 #define skd_Curves_PatchFacets_h
 
-#include "../Geometry/Distance/ClosestPoint.h"
+#include "../Geometry/Distance/ClosestPointOnTriangle.h"
 #include "NodePatch.h"
 #include "SecondDerivatives.h"
 #include "Tolerances.h"

@@ -4,7 +4,7 @@
 
 #include "Bodies/SkdOrientation.h"
 #include "Bodies/SkdSignedSource.h"
-#include "Core/Geometry/Distance/ClosestPoint.h"
+#include "Core/Geometry/Distance/ClosestPointOnTriangle.h"
 #include "Core/Geometry/Measures/MeasureInBox.h"
 #include "vtkIdList.h"
 

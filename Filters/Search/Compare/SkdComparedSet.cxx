@@ -4,7 +4,7 @@
 
 #include "Bodies/SkdOuterSurface.h"
 #include "Cells/Read/SkdMagnitudes.h"
-#include "Core/Geometry/Distance/ClosestPoint.h"
+#include "Core/Geometry/Distance/ClosestPointOnTriangle.h"
 #include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeMesh.h"
 

@@ -5,7 +5,7 @@
 #include "Bodies/SkdOuterSurface.h"
 #include "Cells/Curved/SkdCurvedFaces.h"
 #include "Cells/Read/SkdForEach.h"
-#include "Core/Geometry/Distance/ClosestPoint.h"
+#include "Core/Geometry/Distance/ClosestPointOnTriangle.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdVolumeCells.h"
 #include "Search/Rays/SkdCurvedFacePoints.h"

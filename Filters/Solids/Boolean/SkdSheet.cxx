@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdSheet.h"
 
-#include "Core/Geometry/Distance/ClosestPoint.h"
+#include "Core/Geometry/Distance/ClosestPointOnTriangle.h"
 
 #include <algorithm>
 #include <cmath>

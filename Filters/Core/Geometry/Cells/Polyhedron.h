@@ -9,6 +9,7 @@
 #ifndef skd_Geometry_Cells_Polyhedron_h
 #define skd_Geometry_Cells_Polyhedron_h
 
+#include "../Distance/ClosestPointOnTriangle.h"
 #include "../Distance/Distance.h"
 #include "../Intersection/SegmentTriangle.h"
 #include "../Polygons/PlanarPolygon.h"

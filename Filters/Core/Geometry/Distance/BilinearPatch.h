@@ -11,6 +11,7 @@
 #define skd_Geometry_Distance_BilinearPatch_h
 
 #include "../Tolerances.h"
+#include "ClosestPointOnTriangle.h"
 #include "ConvexPatchMinimum.h"
 #include "PatchStationaryPoints.h"
 

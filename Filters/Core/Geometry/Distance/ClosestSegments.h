@@ -4,7 +4,7 @@
 #define skd_Geometry_Distance_ClosestSegments_h
 
 #include "../Segment.h"
-#include "ClosestPoint.h"
+#include "ClosestPointOnSegment.h"
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 #ifndef skd_Geometry_Distance_ClosestTriangles_h
 #define skd_Geometry_Distance_ClosestTriangles_h
 
+#include "ClosestPointOnTriangle.h"
 #include "ClosestSegments.h"
 
 #include <array>

@@ -4,7 +4,7 @@
 #define skd_Geometry_Distance_PatchView_h
 
 #include "../Tolerances.h"
-#include "ClosestPoint.h"
+#include "ClosestPointOnTriangle.h"
 
 #include <algorithm>
 #include <limits>

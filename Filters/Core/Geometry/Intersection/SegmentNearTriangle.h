@@ -3,7 +3,7 @@
 #ifndef skd_Geometry_Intersection_SegmentNearTriangle_h
 #define skd_Geometry_Intersection_SegmentNearTriangle_h
 
-#include "../Distance/ClosestPoint.h"
+#include "../Distance/ClosestPointOnTriangle.h"
 #include "SegmentTriangle.h"
 
 namespace skd

@@ -9,7 +9,7 @@
 #ifndef skd_Geometry_Polygons_PlanarPolygon_h
 #define skd_Geometry_Polygons_PlanarPolygon_h
 
-#include "../Distance/ClosestPoint.h"
+#include "../Distance/ClosestPointOnSegment.h"
 #include "../Predicates/Sign.h"
 
 #include <algorithm>
