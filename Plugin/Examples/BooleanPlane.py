@@ -29,7 +29,9 @@ view = simple.CreateRenderView(ViewSize=[900, 520], OrientationAxesVisibility=0,
 for part, shift in ((0, 0.45), (1, -0.45)):
     alone = simple.Threshold(Input=parts, Scalars=["CELLS", "SkdPartId"])
     alone.LowerThreshold = alone.UpperThreshold = part
-    display = simple.Show(alone, view, Representation="Surface", Position=[shift, 0.3 * shift, 0.2 * shift],
+    moved = simple.Transform(Input=alone)
+    moved.Transform.Translate = [shift, 0.3 * shift, 0.2 * shift]
+    display = simple.Show(moved, view, Representation="Surface",
         DiffuseColor=[0.62, 0.74, 0.86], AmbientColor=[0.62, 0.74, 0.86])
     display.Ambient, display.Diffuse = 0.3, 0.8
     display.ColorArrayName = [None, ""]
