@@ -74,6 +74,10 @@ void vtkSkdTreeAbstractCellLocator::BuildLocator()
 // More than queries ask for: whether arrays were modified of which the data set does not know.
 bool vtkSkdTreeAbstractCellLocator::HasValidTree()
 {
+  if (this->Impl->AreForeignPointsModified())
+  {
+    return false;
+  }
   if (!this->Impl->GetTree() || !this->Impl->HasSnapshot())
   {
     return this->Impl->GetTree() && this->IsNewerThanData();
@@ -86,7 +90,7 @@ bool vtkSkdTreeAbstractCellLocator::HasValidTree()
 // Without a mesh that was kept, as after ForceBuildLocator, an existing structure is used as it is.
 bool vtkSkdTreeAbstractCellLocator::IsUpToDate()
 {
-  if (!this->Impl->GetTree())
+  if (!this->Impl->GetTree() || this->Impl->AreForeignPointsModified())
   {
     return false;
   }
@@ -211,6 +215,7 @@ void vtkSkdTreeAbstractCellLocator::ShallowCopy(vtkAbstractCellLocator* locator)
     this->Impl->KeepAs(*other->Impl);
     this->Impl->BuildSeconds = other->Impl->BuildSeconds;
     this->Impl->SetTree(other->Impl->ShareTree());
+    this->Impl->Watch(this->DataSet);
     this->BuildTime.Modified();
   }
 }

@@ -321,6 +321,34 @@ TEST_F(Lifecycle, AnExistingStructureServesADataSetThatIsTheSame)
   EXPECT_EQ(FindClosest(copy, { 3, 1, 2 }), FindClosest(this->Locator, { 3, 1, 2 }));
 }
 
+// A tree that was shared reads the points where they are stored, so in the first mesh.
+TEST_F(Lifecycle, ATreeOfEqualPointsOutlivesTheirMotionInTheFirstMesh)
+{
+  for (const bool usesExisting : { false, true })
+  {
+    const auto first = MakePolyData(SphereTriangles(8));
+    const auto second = MakePolyData(SphereTriangles(8));
+    ASSERT_EQ(first->GetPoints()->GetDataType(), VTK_DOUBLE);
+    const auto locator = MakeLocator(first);
+    locator->SetUseExistingSearchStructure(usesExisting);
+    const Closest expected = FindClosest(locator, { 3, 1, 2 });
+    const auto copy = CopyFor(second, locator);
+    locator->SetDataSet(second); // which has its tree kept if that is wanted
+    locator->BuildLocator();
+    EXPECT_GT(copy->GetNumberOfCellsInTree(), 0) << "it is shared";
+    for (vtkIdType i = 0; i < first->GetNumberOfPoints(); ++i)
+    {
+      first->GetPoints()->SetPoint(i, 100, 0, i);
+    }
+    first->GetPoints()->Modified();
+    EXPECT_EQ(FindClosest(copy, { 3, 1, 2 }), expected);
+    EXPECT_EQ(FindClosest(locator, { 3, 1, 2 }), expected);
+    const double built = copy->GetBuildSeconds();
+    copy->BuildLocator();
+    EXPECT_EQ(copy->GetBuildSeconds(), built) << "nothing is left to build";
+  }
+}
+
 TEST_F(Lifecycle, ShallowCopyLeavesNoTreeOfBeforeBehind)
 {
   const auto copy = MakeLocator(MakePolyData(CubeTriangles(2)));

@@ -14,6 +14,7 @@
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkPointSet.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPThreadLocalObject.h"
 
@@ -264,6 +265,14 @@ skd::Box3 SkdCellStore::CurvedExtentOf(std::uint32_t cell) const
   const double factor = this->CurvedExtents[cell];
   const skd::Vector3 centre = bounds.Centroid();
   return { centre + factor * (bounds.Min - centre), centre + factor * (bounds.Max - centre) };
+}
+
+//------------------------------------------------------------------------------
+vtkPoints* SkdCellStore::PointsOfAnother(vtkDataSet* data) const
+{
+  auto* pointSet = vtkPointSet::SafeDownCast(data);
+  vtkPoints* points = pointSet ? pointSet->GetPoints() : nullptr;
+  return points && points->GetData() == this->SharedCoordinates ? nullptr : this->SharedPoints;
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include "Core/Search/Tree/RawVector.h"
 
 #include "vtkDataArray.h"
+#include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -128,6 +129,9 @@ public:
   /// The largest magnitude of a coordinate of a point in use.
   double LargestCoordinate() const { return this->Largest; }
 
+  /// The points that are read where they are stored, if that is not this data set; else nullptr.
+  vtkPoints* PointsOfAnother(vtkDataSet* data) const;
+
   /// Bytes of everything that is kept, without points shared with the data set.
   std::size_t MemorySize() const;
 
@@ -171,7 +175,8 @@ private:
   const double* Coordinates = nullptr;
   vtkIdType NumberOfPoints = 0;
   bool AreFloats = false;
-  vtkSmartPointer<vtkDataArray> SharedPoints; // the data set's own array when it is of doubles
+  vtkSmartPointer<vtkPoints> SharedPoints;         // the data set's own when they are doubles
+  vtkSmartPointer<vtkDataArray> SharedCoordinates; // of these, whatever they are given later
   skd::RawVector<double> OwnPoints;
 };
 }

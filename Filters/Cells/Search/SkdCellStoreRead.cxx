@@ -194,7 +194,8 @@ void SkdCellStore::ReadPoints(vtkDataSet* data)
   vtkDataArray* points = pointSet ? pointSet->GetPoints()->GetData() : nullptr;
   if (auto* doubles = vtkDoubleArray::FastDownCast(points))
   {
-    this->SharedPoints = doubles;
+    this->SharedPoints = pointSet->GetPoints();
+    this->SharedCoordinates = doubles;
     this->Coordinates = doubles->GetPointer(0);
     return;
   }

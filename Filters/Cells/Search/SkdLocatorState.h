@@ -74,16 +74,28 @@ public:
     vtkTimeStamp now;
     now.Modified();
     this->CheckTime = isComparable ? now.GetMTime() : 0;
+    this->Watch(mesh);
   }
   void Forget()
   {
     this->Snapshot = nullptr;
     this->CheckTime = 0;
+    this->Foreign = nullptr;
   }
   void KeepAs(const SkdLocatorState& other)
   {
     this->Snapshot = other.Snapshot;
     this->CheckTime = other.CheckTime.load();
+  }
+  /// From now on the tree is used for this mesh, with equal points, perhaps another's.
+  void Watch(vtkDataSet* mesh)
+  {
+    this->Foreign = this->Tree ? this->Tree->Cells().PointsOfAnother(mesh) : nullptr;
+  }
+  /// Whether the other mesh, whose points the tree reads, has changed them.
+  bool AreForeignPointsModified() const
+  {
+    return this->Foreign && this->Foreign->GetMTime() > this->CheckTime;
   }
   bool HasSnapshot() const { return this->Snapshot != nullptr; }
   bool IsBuiltOn(vtkDataSet* mesh) const
@@ -144,6 +156,7 @@ private:
   std::atomic<const SkdCellTree*> Ready{ nullptr };
   std::shared_ptr<const SkdMeshSnapshot> Snapshot; // shared with shallow copies
   std::atomic<vtkMTimeType> CheckTime{ 0 };
+  vtkSmartPointer<vtkPoints> Foreign;
 };
 }
 
