@@ -1,14 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes in pieces on two, three and four processes give the answers of one process: for every
-filter, and for each way in which the pieces may lie. Run without an argument this starts the
-processes; with the name of a file and partitions it is one of them, and writes its part of the
-answers there."""
+"""Meshes in pieces on two, three and four processes give the answers of one process, and to the last
+bit the same if the Source stays in its pieces instead of being gathered: for every filter, and for
+each way in which the pieces may lie. Run without an argument this starts the processes; with the
+name of a file and partitions it is one of them, and writes there its part of the answers, and what
+differs."""
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import skdcases
+import skdexchange
 import skdpieces
 import skdtesting
 
@@ -16,8 +18,10 @@ import skdtesting
 RUNS = {
     2: ("everywhere", "cuts, ghosts", "one process"),
     3: ("cuts", "round robin, global ids", "one reader"),
-    4: ("runs", "round robin", "cuts, doubled", "some empty"),
+    4: ("runs", "round robin", "cuts, doubled", "some empty", "random"),
 }
+ONLY_EXCHANGED = "random" # cells that several processes have count once, in one process as often
+DIFFERENT = "different"
 WITHOUT_VALUE = 12345.0 # stands for NaN, which is not equal to itself
 
 
@@ -43,13 +47,16 @@ def rows(proxy, arrays, port=0, of_cells=False):
 
 
 def write(file, partitions):
-    found = {}
+    found, different = {}, []
     for partition in partitions:
         for name, case in skdcases.cases(partition):
+            title = partition + ": " + name
             part = rows(*case)
-            if part is not None:
-                found[partition + ": " + name] = part
-    numpy.savez(file, **found)
+            if part is not None and partition != ONLY_EXCHANGED:
+                found[title] = part
+            if skdpieces.process()[1] > 1:
+                different += [f"{title}: {what}" for what in skdexchange.compare(name, case.proxy)]
+    numpy.savez(file, **found, **{DIFFERENT: different})
 
 
 def in_order(table):
@@ -60,6 +67,10 @@ def in_order(table):
 
 
 def check(whole, parts):
+    for rank, part in enumerate(parts):
+        different = part.pop(DIFFERENT)
+        assert different.size == 0, (rank, *different)
+    whole.pop(DIFFERENT)
     for name, expected in whole.items():
         together = numpy.vstack([part[name] for part in parts if name in part])
         first, second = in_order(expected), in_order(together)

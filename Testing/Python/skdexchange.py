@@ -1,12 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A Source that stays in its pieces gives the answers of one that is gathered, to the last bit, on
-each of two, three and four processes: for every filter, and for each way in which the pieces may
-lie. (TestPieces compares the gathered one with one process.) Run without an argument this starts
-the processes; with the name of a file and partitions it is one of them, and writes there what
-differs."""
-
-import json
+"""A Source that stays in its pieces, beside one that is gathered: for tests of several processes."""
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -16,7 +10,6 @@ try:
 except ImportError:
     vtkParallelDIY = None
 
-import skdcases
 import skdpieces
 
 # Cases whose Source stays in its pieces; the others gather.
@@ -27,11 +20,8 @@ EXCHANGED = {"closest", "closest data", "closest of both", "closest signed", "in
     "grid near surfaces"}
 # Cases in which it turns out that pieces do not do.
 GATHERED = {"signed, bodies that overlap", "signed, open", "inside of open"}
-RUNS = {
-    2: ("cuts, ghosts", "one process"),
-    3: ("cuts", "round robin, global ids", "one reader"),
-    4: ("random", "cuts, doubled", "some empty"),
-}
+# Cases that are asked again, within another distance.
+ASKED_AGAIN = {"closest", "closest signed"}
 
 
 def leaves(data):
@@ -95,52 +85,32 @@ def is_exchanged(proxy):
 
 def is_rebuilt(proxy):
     """Whether trees are built again for another limit, although no piece has changed."""
-    proxy.SourceDistribution = "Exchange"
-    proxy.UpdatePipeline()
     proxy.MaximumDistance = 100.0
     proxy.UpdatePipeline()
     return report_of(proxy, "TreesBuilt") != 0
 
 
+def is_as_expected(name, proxy):
+    """Whether the Source stayed in its pieces where it should, and nowhere else."""
+    if name in EXCHANGED and vtkParallelDIY:
+        return is_exchanged(proxy)
+    return not (name in GATHERED and is_exchanged(proxy))
+
+
 def compare(name, proxy):
-    """What differs if the Source stays in its pieces. All processes call it together."""
+    """What differs if the Source, which is gathered by default, stays in its pieces. All processes call
+    it together."""
+    if "SourceDistribution" not in proxy.ListProperties():
+        return []
+    gathered = everything(proxy)
+    different = ["it was exchanged by default"] if is_exchanged(proxy) else []
     proxy.SourceDistribution = "Exchange"
     exchanged = everything(proxy)
-    different = []
-    if vtkParallelDIY and name in EXCHANGED and not is_exchanged(proxy):
-        different.append("it was gathered")
-    if name in GATHERED and is_exchanged(proxy):
-        different.append("it was not gathered")
-    if not is_exchanged(proxy) and name not in GATHERED:
-        return different
-    proxy.SourceDistribution = "Replicate"
-    gathered = everything(proxy)
-    if is_exchanged(proxy):
-        different.append("it was exchanged")
+    if not is_as_expected(name, proxy):
+        different.append("it was exchanged" if is_exchanged(proxy) else "it was gathered")
     different += sorted(set(gathered) ^ set(exchanged))
-    return different + [name for name in gathered
+    different += [name for name in gathered
         if name in exchanged and not is_same(gathered[name], exchanged[name])]
-
-
-def write(file, partitions):
-    found = {}
-    for partition in partitions:
-        for name, case in skdcases.cases(partition):
-            if "SourceDistribution" in case.proxy.ListProperties():
-                different = compare(name, case.proxy)
-                if name in ("closest", "closest signed") and is_rebuilt(case.proxy):
-                    different.append("trees were built again")
-                if different:
-                    found[partition + ": " + name] = different
-    with open(file, "w", encoding="utf-8") as output:
-        json.dump(found, output)
-
-
-def check(file, processes, _partitions):
-    for rank in range(processes):
-        with open(file % rank, encoding="utf-8") as found:
-            different = json.load(found)
-        assert not different, (rank, processes, different)
-
-
-skdpieces.run(__file__, RUNS, "exchange_%d.json", write, check)
+    if name in ASKED_AGAIN and is_rebuilt(proxy):
+        different.append("trees were built again")
+    return different
