@@ -48,9 +48,63 @@ CellsPointer WithoutBroken(vtkCellArray* cells, vtkIdType first, const Ids& brok
   return repaired;
 }
 
+/// Marks cells as hidden, so that nothing searches them.
+void Blank(vtkDataSet* mesh, const Ids& cells)
+{
+  const vtkIdType number = mesh->GetNumberOfCells();
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(number);
+  ghosts->FillValue(0);
+  if (vtkUnsignedCharArray* old = mesh->GetCellGhostArray())
+  {
+    ghosts->DeepCopy(old);
+  }
+  for (const vtkIdType cell : cells)
+  {
+    ghosts->SetValue(cell, ghosts->GetValue(cell) | vtkDataSetAttributes::HIDDENCELL);
+  }
+  mesh->GetCellData()->AddArray(ghosts);
+}
+
+/// The fewest points of a cell in each array of a vtkPolyData: with fewer, VTK 9.1 cannot fetch any
+/// cell of the mesh.
+constexpr std::size_t FewestPoints[4] = { 1, 2, 3, 3 };
+
+void AddTooSmall(vtkPolyData* mesh, Ids& cells)
+{
+  vtkCellArray* const arrays[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
+    mesh->GetStrips() };
+  Ids tooSmall;
+  vtkIdType id = 0;
+  for (int kind = 0; kind < 4; ++kind)
+  {
+    const SkdRawCells raw(arrays[kind]);
+    const vtkIdType number = arrays[kind]->GetNumberOfCells();
+    for (vtkIdType cell = 0; cell < number; ++cell, ++id)
+    {
+      std::size_t size = 0;
+      if (!std::binary_search(cells.begin(), cells.end(), id))
+      {
+        raw.VisitCell(cell, [&](const auto*, vtkIdType count) { size = count; });
+      }
+      if (size < FewestPoints[kind])
+      {
+        tooSmall.push_back(id);
+      }
+    }
+  }
+  cells = std::move(tooSmall);
+}
+
+// Broken cells become empty or, for VTK 9.1, hidden ones of the first point.
 vtkSmartPointer<vtkDataSet> Repair(vtkPolyData* mesh, const Ids& broken)
 {
   auto repaired = vtkSmartPointer<vtkPolyData>::New();
+  if (!VTK_SKD_BUILDS_ALL_CELLS && mesh->GetNumberOfPoints() == 0)
+  {
+    return repaired;
+  }
   repaired->vtkPointSet::ShallowCopy(mesh); // points and data, no cells
   vtkCellArray* const arrays[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
     mesh->GetStrips() };
@@ -61,14 +115,19 @@ vtkSmartPointer<vtkDataSet> Repair(vtkPolyData* mesh, const Ids& broken)
     const vtkIdType number = arrays[kind]->GetNumberOfCells();
     const auto next = std::lower_bound(broken.begin(), broken.end(), first);
     const bool hasBroken = next != broken.end() && *next < first + number;
-    cells[kind] =
-      hasBroken ? WithoutBroken(arrays[kind], first, broken, number) : CellsPointer(arrays[kind]);
+    const Ids instead(VTK_SKD_BUILDS_ALL_CELLS ? 0 : FewestPoints[kind], 0);
+    cells[kind] = hasBroken ? WithoutBroken(arrays[kind], first, broken, number, instead)
+                            : CellsPointer(arrays[kind]);
     first += number;
   }
   repaired->SetVerts(cells[0]);
   repaired->SetLines(cells[1]);
   repaired->SetPolys(cells[2]);
   repaired->SetStrips(cells[3]);
+  if (!VTK_SKD_BUILDS_ALL_CELLS)
+  {
+    Blank(repaired, broken);
+  }
   return repaired;
 }
 
@@ -137,19 +196,7 @@ vtkSmartPointer<vtkDataSet> Repair(vtkExplicitStructuredGrid* grid, const Ids& b
   repaired->vtkPointSet::ShallowCopy(grid);
   repaired->SetExtent(grid->GetExtent());
   repaired->SetCells(WithoutBroken(grid->GetCells(), 0, broken, number, Ids(8, 0)));
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  ghosts->SetNumberOfValues(number);
-  ghosts->FillValue(0);
-  if (vtkUnsignedCharArray* old = grid->GetCellGhostArray())
-  {
-    ghosts->DeepCopy(old);
-  }
-  for (const vtkIdType cell : broken)
-  {
-    ghosts->SetValue(cell, ghosts->GetValue(cell) | vtkDataSetAttributes::HIDDENCELL);
-  }
-  repaired->GetCellData()->AddArray(ghosts);
+  Blank(repaired, broken);
   return repaired;
 }
 
@@ -173,13 +220,18 @@ vtkSmartPointer<vtkDataSet> WithPoints(vtkDataSet* data)
 SkdRepairedMesh SkdRepair(vtkDataSet* given)
 {
   const vtkSmartPointer<vtkDataSet> data = WithPoints(given);
-  const SkdBrokenCells broken = SkdFindBrokenCells(data);
+  SkdBrokenCells broken = SkdFindBrokenCells(data);
+  const std::string fault = broken.Ids.empty() ? std::string() : broken.Tell(data);
+  auto* mesh = vtkPolyData::SafeDownCast(data);
+  if (mesh && !VTK_SKD_BUILDS_ALL_CELLS)
+  {
+    AddTooSmall(mesh, broken.Ids);
+  }
   if (broken.Ids.empty())
   {
     return { data, {} };
   }
-  const std::string fault = broken.Tell(data);
-  if (auto* mesh = vtkPolyData::SafeDownCast(data))
+  if (mesh)
   {
     return { Repair(mesh, broken.Ids), fault };
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Search/Rays/SkdSurfaceBlocks.h"
 
+#include "Cells/Read/SkdRepairedMesh.h"
 #include "Pipeline/SkdVolumeCells.h"
 
 namespace skdtree
@@ -12,13 +13,16 @@ std::vector<SkdBlock> SkdSurfaceBlocks::Update(const std::vector<SkdBlock>& bloc
   {
     const double chordalLength = SkdChordalLength(blocks, SkdDefaultChordalDeviation);
     this->Surfaces.clear();
+    this->Meshes.clear();
     this->ChordalLength = 0.0;
     for (const SkdBlock& block : this->Snapshots.Keep(blocks))
     {
       auto& surface = this->Surfaces.emplace_back();
+      auto& mesh = this->Meshes.emplace_back();
       if (SkdHasVolumeCells(block.Mesh))
       {
         surface.emplace(block.Mesh, chordalLength);
+        mesh = SkdRepair(surface->Get()).Mesh; // some faces may have two points
         this->ChordalLength = chordalLength;
       }
     }
@@ -26,9 +30,9 @@ std::vector<SkdBlock> SkdSurfaceBlocks::Update(const std::vector<SkdBlock>& bloc
   std::vector<SkdBlock> surfaces = blocks;
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    if (this->Surfaces[i])
+    if (this->Meshes[i])
     {
-      surfaces[i].Mesh = this->Surfaces[i]->Get();
+      surfaces[i].Mesh = this->Meshes[i];
     }
   }
   return surfaces;

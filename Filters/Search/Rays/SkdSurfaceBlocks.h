@@ -35,6 +35,7 @@ private:
   SkdBlockSnapshots Snapshots;
   double ChordalLength = 0.0;
   std::vector<std::optional<SkdBlockSurface>> Surfaces; // none of blocks without volume cells
+  std::vector<vtkSmartPointer<vtkDataSet>> Meshes;      // theirs, without broken faces
 };
 }
 
