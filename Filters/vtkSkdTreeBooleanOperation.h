@@ -137,7 +137,7 @@ public:
    * first only (difference), in others only (reverse difference), in an odd number of them, of two
    * in exactly one (symmetric difference), or in at least MinimumNumberOfSolids of them (then also
    * blocks or pieces of two inputs count). An imprint keeps all faces, split along all
-   * intersections, each place once; surfaces may be open. A split has all parts into which others
+   * intersections, each part once; surfaces may be open. A split has all parts into which others
    * divide the first (see SkdPartId). Default UNION.
    */
   vtkSkdTreeChoiceMacro(Operation, UNION, SPLIT);
@@ -153,7 +153,7 @@ public:
 
   //@{
   /**
-   * In how many solids a place must be to be solid, for AT_LEAST. Default 2.
+   * In how many solids a point must be to be inside, for AT_LEAST. Default 2.
    */
   vtkSkdTreeWithinMacro(MinimumNumberOfSolids, int, 1, VTK_INT_MAX);
   //@}

@@ -187,7 +187,7 @@ int vtkSkdTreeCompareSurfaces::RequestDataObject(
   return done;
 }
 
-// The nearest to each place of an own face, and that face. What is inside depends on all faces.
+// The nearest to each point of an own face, and that face. What is inside depends on all faces.
 bool vtkSkdTreeCompareSurfaces::FindRange(SkdSearchRange& range)
 {
   range.WithOwn = true;

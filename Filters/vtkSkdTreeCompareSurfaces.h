@@ -123,7 +123,7 @@ public:
   /**
    * About how far apart the first samples are, relative to the diagonal of the bounds of both
    * inputs: triangles are bisected until their edges are no longer than three times this, or they
-   * are narrow, and each is sampled at ten places. With more than 2 million triangles it grows.
+   * are narrow, and each is sampled at ten points. With more than 2 million triangles it grows.
    * Default 0.01.
    */
   vtkSkdTreeWithinMacro(SampleSpacing, double, 1e-6, 1.0);

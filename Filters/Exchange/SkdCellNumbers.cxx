@@ -19,7 +19,7 @@ namespace skdtree
 {
 namespace
 {
-/// The place of a cell with a global id among all: by kind, then by global id, then by piece.
+/// The rank of a cell with a global id among all: by kind, then by global id, then by piece.
 struct Ranked
 {
   vtkIdType GlobalId;

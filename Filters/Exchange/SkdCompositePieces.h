@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdCompositePieces.h
- * @brief The data sets in a data object by their place in it, which is the same on all processes.
+ * @brief The data sets in a data object by their path in it, which is the same on all processes.
  */
 
 #ifndef SkdCompositePieces_h
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkDataObject> SkdStructureOf(vtkDataObject* object);
 /// data, whose structure all processes have.
 void SkdUniteStructures(vtkDataObject* into, vtkDataObject* from);
 
-/// Puts a data set in its place.
+/// Puts a data set at its path.
 void SkdSetBlock(vtkDataObject* composite, const SkdBlockPath& path, vtkDataSet* mesh);
 }
 

@@ -17,7 +17,7 @@ namespace skdtree
 /// - Ghost cells (duplicates, by the ghost array) are left out, another piece has them.
 /// - Points of different pieces with the same global id, or without global ids the same
 ///   coordinates but for rounding (SkdMergeNearPoints), are one point. Points of the same piece are
-///   not merged; if a piece has several at one place, the first of each piece are one, the second
+///   not merged; if a piece has several that coincide, the first of each piece are one, the second
 ///   of each piece, and so on.
 /// - Cells of different pieces with the same global id, or without global ids the same type and the
 ///   same points in the same order, are one cell, which a source that ignores the requested piece

@@ -22,7 +22,7 @@ SkdJoinedRows SkdJoinRows(vtkDataObject* piece, vtkMultiProcessController* contr
   {
     rows.Problem = input.GetRepeatedId().Describe();
   }
-  std::map<SkdBlockPath, std::size_t> own; // a block's place is the same on all processes
+  std::map<SkdBlockPath, std::size_t> own; // a block's path is the same on all processes
   for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(piece))
   {
     own[leaf.Path] = rows.OfBlocks.size();

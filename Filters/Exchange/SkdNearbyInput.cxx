@@ -306,7 +306,7 @@ void SkdNearbyInput::BringNear(
     piece);
 }
 
-// Of composite data, processes may have blocks in different places.
+// Of composite data, processes may have different blocks.
 void SkdNearbyInput::UpdateBlocks(SkdTransport& transport, vtkDataObject* piece)
 {
   std::map<SkdBlockPath, SkdPieces> examples;

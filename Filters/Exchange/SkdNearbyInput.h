@@ -22,7 +22,7 @@ class SkdNearbyInput
 {
 public:
   /// The cells of all processes' pieces that are near a cell or point of `own` (see
-  /// SkdSpreadBlock); of composite data those of each block, in its place. All processes must call
+  /// SkdSpreadBlock); of composite data those of each block, at its path. All processes must call
   /// it together. The same object again, without an exchange of data, if nothing has changed on any
   /// of them.
   vtkDataObject* Update(
@@ -31,7 +31,7 @@ public:
   /// The cells of this process's own piece that count, in the same way.
   vtkDataObject* UpdateOwn(SkdTransport& transport, vtkDataObject* piece);
 
-  /// Calls visit(block) for each block, in the order of their places.
+  /// Calls visit(block) for each block, in the order of their paths.
   template <class Visit>
   void VisitBlocks(const Visit& visit) const
   {
@@ -69,7 +69,7 @@ private:
   vtkSmartPointer<vtkDataObject> Nearby;
 };
 
-/// Whether data of this type can be brought: all but AMR data, whose blocks have no places.
+/// Whether data of this type can be brought: all but AMR data, whose blocks have no paths.
 bool SkdCanBring(vtkDataObject* object);
 
 /// Whether a piece has something for which the reach does not do: that is not near, and matters.

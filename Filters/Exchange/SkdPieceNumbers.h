@@ -57,7 +57,7 @@ SkdPieceNumbers SkdNumberPiece(
 
 ///@{
 /// Parts of it.
-/// Points and cells of one grid by their place in it.
+/// Points and cells of one grid by their index in it.
 void SkdNumberGrid(
   SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts, SkdPieceNumbers& numbers);
 

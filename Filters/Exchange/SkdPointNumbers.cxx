@@ -445,7 +445,7 @@ private:
   vtkDataSet* Piece;
   const SkdAllFacts& Facts;
   std::vector<vtkIdType> Orders;     // by point
-  std::vector<vtkIdType> UsedGhosts; // in their turn
+  std::vector<vtkIdType> UsedGhosts; // in their order
   Questions Queries;
   SkdRowsByProcess<vtkIdType> QueriedPoints; // -1: the answer is another's
 };

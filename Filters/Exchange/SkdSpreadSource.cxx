@@ -86,7 +86,7 @@ void SkdSpreadSource::ListBlocks()
   this->Blocks.clear();
   this->Ids.clear();
   this->NumberOfCells = 0;
-  const std::vector<SkdBlock> blocks = SkdBlocksOf(this->Own); // in the order of their places
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(this->Own); // in the order of their paths
   std::vector<skd::Box3> boxes;
   std::size_t at = 0;
   this->Pieces.VisitBlocks(

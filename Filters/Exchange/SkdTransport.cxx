@@ -74,7 +74,7 @@ void SkdTransport::Unpack(const SkdBytes& joined, std::vector<Packet>& packets)
 }
 
 // Passes packets on to the processes that they are for, by Bruck's other algorithm (as below): what
-// is for the process d places further on makes a step of 2^k places for each bit k of d, and all
+// is for the process d ranks further on makes a step of 2^k ranks for each bit k of d, and all
 // that makes the same step goes together.
 void SkdTransport::Route(std::vector<Packet>& packets)
 {
@@ -181,7 +181,7 @@ void SkdTransport::Count(const SkdBytes& message)
 }
 
 // By Bruck's algorithm (IEEE Trans. Parallel Distrib. Syst. 8 (1997) 1143): in each step a process
-// hands all that it has to the one as many places further on, so what each has doubles.
+// hands all that it has to the one as many ranks further on, so what each has doubles.
 std::vector<SkdBytes> SkdTransport::GatherAll(const SkdBytes& own)
 {
   const int number = this->GetNumber();

@@ -73,7 +73,7 @@ void SkdWholeInput::Join(const std::vector<vtkSmartPointer<vtkDataObject>>& piec
     }
   }
   this->Origins.clear();
-  const std::vector<SkdBlock> blocks = SkdBlocksOf(this->Whole); // in the order of their places
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(this->Whole); // in the order of their paths
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     this->Origins[blocks[i].BlockIndex] = std::move(origins[i]);

@@ -29,7 +29,7 @@ class SkdWholeInput
 {
 public:
   /// The pieces of all processes as one data object: see SkdJoinPieces; of composite data the
-  /// pieces of each block, by the blocks' places. All processes must call it together. The same
+  /// pieces of each block, by the blocks' paths. All processes must call it together. The same
   /// object again, without an exchange of data, if the pieces of all of them are unchanged.
   vtkDataObject* Update(vtkDataObject* piece, vtkMultiProcessController* controller);
 

@@ -5,6 +5,7 @@
 
 #include "Cells/Kernels/SkdGenericKernel.h"
 #include "Cells/Kernels/SkdPolyKernels.h"
+#include "Cells/Search/SkdCellTreeWalk.h"
 #include "Core/Geometry/Cells/LinearShapes.h"
 #include "Core/Geometry/Intersection/SegmentNearTriangle.h"
 #include "Core/Geometry/Intersection/SegmentPatch.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Search/SkdCellTree.h"
 
+#include "Cells/Search/SkdCellTreeWalk.h"
 #include "Cells/Search/SkdMotion.h"
 #include "Core/Geometry/Distance/Distance.h"
 #include "Core/Search/Queries/AlongSegment.h"

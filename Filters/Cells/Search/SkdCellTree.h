@@ -16,7 +16,6 @@
 #include "Core/Search/Tree/LazyTree.h"
 #include "Core/Search/Tree/Tree.h"
 #include "Core/Search/Tree/TreeInput.h"
-#include "Core/Search/Tree/Walk.h"
 
 #include <functional>
 #include <optional>
@@ -264,19 +263,9 @@ private:
   /// The tree for queries that need one of equal cells only.
   const SkdCellTree& WithoutEqual() const { return this->Distinct ? *this->Distinct : *this; }
 
-  /// Runs a query on whichever tree there is.
+  /// SkdCellTreeWalk.h: runs a query on whichever tree there is.
   template <class Query>
-  void Walk(Query& query) const
-  {
-    if (this->Lazy)
-    {
-      skd::Walk(*this->Lazy, query);
-    }
-    else
-    {
-      skd::Walk(this->Eager, query);
-    }
-  }
+  void Walk(Query& query) const;
   /// Calls wide(tree) if AVX2 queries are available for it (SkdWideWalks.h); else returns false.
   template <class Wide>
   bool WalkWide(Wide wide) const

@@ -4,6 +4,7 @@
 
 #include "Cells/Kernels/SkdGenericKernel.h"
 #include "Cells/Kernels/SkdPolyKernels.h"
+#include "Cells/Search/SkdCellTreeWalk.h"
 #include "Cells/Search/SkdMotion.h"
 #include "Core/Geometry/Intersection/CrossingDirection.h"
 #include "Core/Geometry/Intersection/SegmentNearTriangle.h"

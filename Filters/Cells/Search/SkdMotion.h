@@ -6,7 +6,7 @@
 #ifndef SkdMotion_h
 #define SkdMotion_h
 
-#include "Cells/Search/SkdCellTree.h"
+#include "Cells/Search/SkdCellTreeWalk.h"
 #include "Core/Search/Queries/WithinSlabs.h"
 
 namespace skdtree

@@ -4,6 +4,7 @@
 
 #include "Cells/Kernels/SkdGenericKernel.h"
 #include "Cells/Kernels/SkdPolyKernels.h"
+#include "Cells/Search/SkdCellTreeWalk.h"
 #include "Core/Search/LeafFilters/PlaneLeafFilter.h"
 #include "Core/Search/LeafFilters/TriangleLeafFilters.h"
 #include "Core/Search/Queries/Nearest.h"

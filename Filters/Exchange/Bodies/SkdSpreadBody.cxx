@@ -229,7 +229,7 @@ std::vector<SkdSpreadBody::Pass> SkdSpreadBody::FindHere(const Line& line) const
   return passes;
 }
 
-// As SkdSolid does. Where several are at one place only what is around after all of them counts.
+// As SkdSolid does. Where several coincide only what is around after all of them counts.
 std::vector<SkdPassAlong> SkdSpreadBody::InOrder(std::vector<Pass> passes) const
 {
   std::stable_sort(

@@ -23,7 +23,7 @@ struct KnownDistance
 
 using Corners = std::array<KnownDistance, 3>;
 
-/// The distance of a place, which that of places nearby limits: it changes no faster than the place
+/// The distance of a point, which that of points nearby limits: it changes no faster than the point
 /// moves, and its sign does not change on a way that is shorter.
 template <class KnownDistances>
 KnownDistance Measure(const SkdComparedSet& to, const skd::Vector3& x, const KnownDistances& nearby)

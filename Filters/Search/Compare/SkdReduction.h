@@ -40,7 +40,7 @@ public:
     return numbers[0];
   }
 
-  /// Each of the numbers becomes the largest of those of all processes at its place.
+  /// Each of the numbers becomes the largest of those of all processes with its index.
   void TakeLargest(std::vector<double>& numbers) const;
 
   ///@{

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdFacets.h
- * @brief The facets of an arrangement: the pieces of split triangles, each place once.
+ * @brief The facets of an arrangement: the pieces of split triangles, none twice.
  */
 
 #ifndef SkdFacets_h

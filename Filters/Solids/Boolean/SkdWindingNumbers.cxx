@@ -307,7 +307,7 @@ private:
     const std::uint32_t triangle =
       attempt < throughLargest ? component.Largest : component.Triangles[other];
     const auto x = this->Set.GetCornerPoints(triangle);
-    const double angle = 2.4 * attempt; // around the centroid, never the same place
+    const double angle = 2.4 * attempt; // around the centroid, never the same direction
     const double a = attempt == 0 ? 1.0 / 3.0 : 1.0 / 3.0 + 0.2 * std::cos(angle);
     const double b = attempt == 0 ? 1.0 / 3.0 : 1.0 / 3.0 + 0.2 * std::sin(angle);
     return { std::max(0, this->Set.Get(triangle).Axis), a * x[0] + b * x[1] + (1 - a - b) * x[2] };

@@ -28,7 +28,7 @@ public:
     this->Points->SetDataTypeToDouble();
   }
 
-  /// Its only place.
+  /// Its only position.
   vtkIdType IdOf(std::uint32_t point)
   {
     vtkIdType& id = this->Ids[point];
@@ -36,7 +36,7 @@ public:
     return id;
   }
 
-  /// A further place for it.
+  /// A further position for it.
   vtkIdType Add(std::uint32_t point)
   {
     return this->Points->InsertNextPoint(this->All.GetPosition(point).X);

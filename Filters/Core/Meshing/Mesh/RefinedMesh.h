@@ -202,7 +202,7 @@ public:
   }
   ///@}
 
-  /// It cannot be cut, as it turns out.
+  /// It was found that it cannot be cut.
   void Fix(std::uint32_t cell) { this->Cells[cell].IsFixed = true; }
 
   ///@{

@@ -38,7 +38,7 @@ struct NarrowingLists
   std::vector<CandidateLanes> Nodes;
 };
 
-/// One box's turn of the walk. First what costs least and may settle it: a node within the box
+/// One box's part of the walk. First what costs least and may settle it: a node within the box
 /// holds an element, which meets it. Nodes are opened last, and only as long as nothing is settled:
 /// smaller boxes, which reach fewer of them, do the rest.
 template <class Tree, int D, class Test>

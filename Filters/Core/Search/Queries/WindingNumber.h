@@ -9,7 +9,7 @@
 /// This is a sum over all triangles rather than a search: triangles in a distant box are replaced
 /// by the first three terms of their expansion at the centre of their area (G. Barill, N. G.
 /// Dickson, R. Schmidt, D. I. W. Levin, A. Jacobson, ACM Trans. Graph. 37 (2018) 43). What the
-/// terms left out can add up to is known: the kernel's part of degree k in the place d of an area,
+/// terms left out can add up to is known: the kernel's part of degree k in the offset d of an area,
 /// seen from a centre at the distance r, is the gradient of a solid harmonic, which is at most
 /// sqrt(k (k + 1)) |d|^(k - 1) / r^(k + 1), for that of a Legendre polynomial is bounded by P^2 +
 /// (1 - t^2) P'^2 / (k (k + 1)) <= 1.
@@ -183,10 +183,10 @@ private:
       0.0; ///< at least the sum of their areas times the distances from Centre cubed
     double Area = 0.0;
     Vector3 Dipole{ { 0.0, 0.0, 0.0 } }; ///< the sum of their area vectors
-    double Second[3][3] = {};            ///< place i of each, seen from Centre, times its area j
-    double Third[3][3][3] = {};          ///< places i and j times its area k
+    double Second[3][3] = {};            ///< offset i of each from Centre, times its area j
+    double Third[3][3][3] = {};          ///< offsets i and j times its area k
 
-    /// The expansion around the centre of n . r / |r|^3, in the places of the parts, and what it
+    /// The expansion around the centre of n . r / |r|^3, in the offsets of the parts, and what it
     /// may be off by: the sum of sqrt(k (k + 1)) d^(k - 1) / r^(k + 1), k from 4 on, where d is at
     /// most Radius. All times 4 pi.
     void AddTo(Sum& sum, const Vector3& x) const
@@ -235,7 +235,7 @@ private:
     }
   };
 
-  /// Seen from its middle; its places are spread evenly over it.
+  /// Relative to its middle; its points are spread evenly over it.
   static Moment MomentOf(const Triangle& t)
   {
     Moment moment;
@@ -308,7 +308,7 @@ private:
     return moment;
   }
 
-  /// The mean place, by area; of parts without area the plain mean.
+  /// The mean position, by area; of parts without area the plain mean.
   void SetCentre(const Node<3>& node, Moment& moment) const
   {
     Vector3 first{ { 0.0, 0.0, 0.0 } }; // sums are made from here: they lose nothing far from 0

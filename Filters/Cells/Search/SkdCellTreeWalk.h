@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdCellTreeWalk_h
+#define SkdCellTreeWalk_h
+
+#include "Cells/Search/SkdCellTree.h"
+#include "Core/Search/Tree/Walk.h"
+
+namespace skdtree
+{
+template <class Query>
+void SkdCellTree::Walk(Query& query) const
+{
+  if (this->Lazy)
+  {
+    skd::Walk(*this->Lazy, query);
+  }
+  else
+  {
+    skd::Walk(this->Eager, query);
+  }
+}
+}
+
+#endif
