@@ -111,15 +111,18 @@ bool vtkSkdTreeAbstractCellLocator::IsNewerThanData()
 }
 
 //------------------------------------------------------------------------------
-// Threads whose first query finds no tree wait for one of them to build it.
+// Threads whose first query finds no tree wait for one of them to build it; so does one whose tree
+// was freed for that meanwhile.
 const SkdCellTree& vtkSkdTreeAbstractCellLocator::GetTree()
 {
-  if (!this->IsUpToDate())
+  const SkdCellTree* tree = this->IsUpToDate() ? this->Impl->GetTree() : nullptr;
+  if (!tree)
   {
     const std::lock_guard<std::mutex> lock(this->Impl->Building);
     this->BuildLocator();
+    tree = this->Impl->GetTree();
   }
-  return *this->Impl->GetTree();
+  return *tree;
 }
 
 //------------------------------------------------------------------------------

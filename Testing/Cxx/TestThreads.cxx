@@ -5,9 +5,13 @@
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"
 
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <thread>
 
 using namespace skdtest;
@@ -255,6 +259,66 @@ TEST(SharedTree, CopiesAskAtOnce)
   const auto isRight = [&](int thread, std::size_t i)
   { return FindClosest(copies[thread], points[i]) == expected[i]; };
   EXPECT_EQ(CountWrong(points.size(), isRight), 0);
+}
+
+/// Points whose time takes a while to read; counts those that end while it is read.
+class SlowPoints : public vtkPoints
+{
+public:
+  static SlowPoints* New();
+  vtkTypeMacro(SlowPoints, vtkPoints);
+
+  vtkMTimeType GetMTime() override
+  {
+    ++Readers;
+    std::this_thread::sleep_for(std::chrono::milliseconds(IsSlow ? 20 : 0));
+    --Readers;
+    return this->vtkPoints::GetMTime();
+  }
+
+  static std::atomic<bool> IsSlow;
+  static std::atomic<int> Readers;
+  static std::atomic<int> Ended;
+  static std::atomic<int> EndedInUse;
+
+protected:
+  ~SlowPoints() override
+  {
+    ++Ended;
+    EndedInUse += Readers > 0;
+  }
+};
+vtkStandardNewMacro(SlowPoints);
+std::atomic<bool> SlowPoints::IsSlow{ false };
+std::atomic<int> SlowPoints::Readers{ 0 };
+std::atomic<int> SlowPoints::Ended{ 0 };
+std::atomic<int> SlowPoints::EndedInUse{ 0 };
+
+// The tree is all that holds the first mesh's points when its first query finds them modified.
+TEST(ThreadsOfLocator, RebuildATreeWhosePointsOfAnotherMeshAreModified)
+{
+  auto first = MakePolyData(SphereTriangles(8));
+  const vtkSmartPointer<vtkDataArray> array = first->GetPoints()->GetData();
+  {
+    vtkNew<SlowPoints> points;
+    points->SetData(array);
+    first->SetPoints(points);
+  }
+  auto locator = MakeLocator(first);
+  const auto copy = LocatorPointer::New();
+  copy->SetDataSet(MakePolyData(SphereTriangles(8)));
+  copy->ShallowCopy(locator);
+  const Closest expected = FindClosest(copy, { 3, 1, 2 });
+  locator = nullptr;
+  first = nullptr;
+  ASSERT_EQ(SlowPoints::Ended, 0);
+  array->SetComponent(0, 0, 100.0);
+  array->Modified();
+  SlowPoints::IsSlow = true;
+  const auto isRight = [&](int, std::size_t) { return FindClosest(copy, { 3, 1, 2 }) == expected; };
+  EXPECT_EQ(CountWrong(2, isRight), 0);
+  EXPECT_EQ(SlowPoints::Ended, 1);
+  EXPECT_EQ(SlowPoints::EndedInUse, 0);
 }
 
 }

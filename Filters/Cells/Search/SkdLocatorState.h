@@ -80,7 +80,7 @@ public:
   {
     this->Snapshot = nullptr;
     this->CheckTime = 0;
-    this->Foreign = nullptr;
+    this->SetForeign(nullptr);
   }
   void KeepAs(const SkdLocatorState& other)
   {
@@ -90,11 +90,17 @@ public:
   /// From now on the tree is used for this mesh, with equal points, perhaps another's.
   void Watch(vtkDataSet* mesh)
   {
-    this->Foreign = this->Tree ? this->Tree->Cells().PointsOfAnother(mesh) : nullptr;
+    this->SetForeign(this->Tree ? this->Tree->Cells().PointsOfAnother(mesh) : nullptr);
   }
-  /// Whether the other mesh, whose points the tree reads, has changed them.
+  /// Whether the other mesh, whose points the tree reads, has changed them. Thread-safe, also while
+  /// another thread frees the tree.
   bool AreForeignPointsModified() const
   {
+    if (!this->HasForeign.load(std::memory_order_relaxed))
+    {
+      return false;
+    }
+    const std::lock_guard<std::mutex> lock(this->WatchingForeign);
     return this->Foreign && this->Foreign->GetMTime() > this->CheckTime;
   }
   bool HasSnapshot() const { return this->Snapshot != nullptr; }
@@ -152,11 +158,20 @@ public:
   }
 
 private:
+  void SetForeign(vtkPoints* points)
+  {
+    const std::lock_guard<std::mutex> lock(this->WatchingForeign);
+    this->Foreign = points;
+    this->HasForeign.store(points != nullptr, std::memory_order_relaxed);
+  }
+
   std::shared_ptr<const SkdCellTree> Tree;
   std::atomic<const SkdCellTree*> Ready{ nullptr };
   std::shared_ptr<const SkdMeshSnapshot> Snapshot; // shared with shallow copies
   std::atomic<vtkMTimeType> CheckTime{ 0 };
+  mutable std::mutex WatchingForeign;
   vtkSmartPointer<vtkPoints> Foreign;
+  std::atomic<bool> HasForeign{ false };
 };
 }
 
