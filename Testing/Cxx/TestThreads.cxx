@@ -315,7 +315,11 @@ TEST(ThreadsOfLocator, RebuildATreeWhosePointsOfAnotherMeshAreModified)
   array->SetComponent(0, 0, 100.0);
   array->Modified();
   SlowPoints::IsSlow = true;
-  const auto isRight = [&](int, std::size_t) { return FindClosest(copy, { 3, 1, 2 }) == expected; };
+  const auto isRight = [&](int thread, std::size_t)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5 * thread)); // some read, some build
+    return FindClosest(copy, { 3, 1, 2 }) == expected;
+  };
   EXPECT_EQ(CountWrong(2, isRight), 0);
   EXPECT_EQ(SlowPoints::Ended, 1);
   EXPECT_EQ(SlowPoints::EndedInUse, 0);
