@@ -48,12 +48,6 @@ int TypeOfSize(int kind, std::size_t size)
   }
 }
 
-/// The least that VTK 9.1 takes.
-std::size_t LeastSize(int kind)
-{
-  return kind == Vertices ? 1 : kind == Lines ? 2 : 3;
-}
-
 /// The data set if it is of this class itself: one derived from it may have a GetCell of its own.
 /// (SafeDownCast compares names, class by class, which takes as long as the rest.)
 template <class DataSet>
@@ -191,7 +185,8 @@ bool SkdCellReader::HasTooSmallCells() const
     {
       bool isSmall = false;
       VisitStored(run, run.First, run.Last,
-        [&](vtkIdType, const auto*, std::size_t size) { isSmall |= size < LeastSize(run.Kind); });
+        [&](vtkIdType, const auto*, std::size_t size)
+        { isSmall |= size < SkdLeastSize(run.Kind); });
       return isSmall;
     });
 }

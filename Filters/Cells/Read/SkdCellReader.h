@@ -20,6 +20,14 @@ class vtkGenericCell;
 
 namespace skdtree
 {
+/// The fewest points of a cell in an array of a vtkPolyData (0: verts, 1: lines, 2: polys, 3:
+/// strips): if one has fewer, VTK 9.1 cannot fetch any cell of the mesh.
+constexpr std::size_t SkdLeastSize(int kind)
+{
+  constexpr std::size_t ofPolygons = 3;
+  return kind < 2 ? static_cast<std::size_t>(kind) + 1 : ofPolygons;
+}
+
 /// The type and the point ids of the cells of a data set: of vtkPolyData and vtkUnstructuredGrid
 /// read where they are stored, in 32 or 64 bit, of others as vtkDataSet gives them. Immutable;
 /// thread-safe if each thread has its own list. The data set must outlive it.

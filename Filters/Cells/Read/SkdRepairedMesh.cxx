@@ -3,6 +3,7 @@
 #include "Cells/Read/SkdRepairedMesh.h"
 
 #include "Cells/Read/SkdCellCheck.h"
+#include "Cells/Read/SkdCellReader.h"
 #include "Cells/Read/SkdRawCells.h"
 #include "vtkSkdTreeVersion.h"
 
@@ -67,10 +68,7 @@ void Blank(vtkDataSet* mesh, const Ids& cells)
   mesh->GetCellData()->AddArray(ghosts);
 }
 
-/// The fewest points of a cell in each array of a vtkPolyData: with fewer, VTK 9.1 cannot fetch any
-/// cell of the mesh.
-constexpr std::size_t FewestPoints[4] = { 1, 2, 3, 3 };
-
+/// To broken cells, in order, those with so few points that VTK 9.1 cannot fetch any.
 void AddTooSmall(vtkPolyData* mesh, Ids& cells)
 {
   vtkCellArray* const arrays[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
@@ -84,11 +82,11 @@ void AddTooSmall(vtkPolyData* mesh, Ids& cells)
     for (vtkIdType cell = 0; cell < number; ++cell, ++id)
     {
       std::size_t size = 0;
-      if (!std::binary_search(cells.begin(), cells.end(), id))
+      if (cell < raw.NumberOfCells() && !std::binary_search(cells.begin(), cells.end(), id))
       {
         raw.VisitCell(cell, [&](const auto*, vtkIdType count) { size = count; });
       }
-      if (size < FewestPoints[kind])
+      if (size < SkdLeastSize(kind))
       {
         tooSmall.push_back(id);
       }
@@ -115,7 +113,7 @@ vtkSmartPointer<vtkDataSet> Repair(vtkPolyData* mesh, const Ids& broken)
     const vtkIdType number = arrays[kind]->GetNumberOfCells();
     const auto next = std::lower_bound(broken.begin(), broken.end(), first);
     const bool hasBroken = next != broken.end() && *next < first + number;
-    const Ids instead(VTK_SKD_BUILDS_ALL_CELLS ? 0 : FewestPoints[kind], 0);
+    const Ids instead(VTK_SKD_BUILDS_ALL_CELLS ? 0 : SkdLeastSize(kind), 0);
     cells[kind] = hasBroken ? WithoutBroken(arrays[kind], first, broken, number, instead)
                             : CellsPointer(arrays[kind]);
     first += number;
@@ -240,5 +238,11 @@ SkdRepairedMesh SkdRepair(vtkDataSet* given)
     return { Repair(grid, broken.Ids), fault };
   }
   return { Repair(vtkExplicitStructuredGrid::SafeDownCast(data), broken.Ids), fault };
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> SkdFetchable(vtkDataSet* given)
+{
+  return VTK_SKD_BUILDS_ALL_CELLS ? vtkSmartPointer<vtkDataSet>(given) : SkdRepair(given).Mesh;
 }
 }

@@ -24,6 +24,10 @@ struct SkdRepairedMesh
 
 /// `given` must not be nullptr. Copies connectivity only if cells are broken.
 SkdRepairedMesh SkdRepair(vtkDataSet* given);
+
+/// The mesh itself, with its broken cells, where VTK can fetch the others; else as SkdRepair()
+/// does.
+vtkSmartPointer<vtkDataSet> SkdFetchable(vtkDataSet* given);
 }
 
 #endif

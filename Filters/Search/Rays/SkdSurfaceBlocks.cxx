@@ -22,7 +22,7 @@ std::vector<SkdBlock> SkdSurfaceBlocks::Update(const std::vector<SkdBlock>& bloc
       if (SkdHasVolumeCells(block.Mesh))
       {
         surface.emplace(block.Mesh, chordalLength);
-        mesh = SkdRepair(surface->Get()).Mesh; // some faces may have two points
+        mesh = SkdFetchable(surface->Get()); // some faces may have two points
         this->ChordalLength = chordalLength;
       }
     }

@@ -35,7 +35,7 @@ private:
   SkdBlockSnapshots Snapshots;
   double ChordalLength = 0.0;
   std::vector<std::optional<SkdBlockSurface>> Surfaces; // none of blocks without volume cells
-  std::vector<vtkSmartPointer<vtkDataSet>> Meshes;      // theirs, without broken faces
+  std::vector<vtkSmartPointer<vtkDataSet>> Meshes;      // theirs, as VTK can fetch their faces
 };
 }
 
