@@ -61,6 +61,7 @@ SkdCut::SkdCut(SkdTransport& transport, std::vector<skd::Box3> own)
   this->Bounds.resize(all.size());
   for (std::size_t process = 0; process < all.size(); ++process)
   {
+    this->Firsts.push_back(this->Boxes.size());
     for (const skd::Box3& box : all[process])
     {
       this->Boxes.push_back(box);
@@ -68,6 +69,7 @@ SkdCut::SkdCut(SkdTransport& transport, std::vector<skd::Box3> own)
       this->Bounds[process].Add(box);
     }
   }
+  this->Firsts.push_back(this->Boxes.size());
   if (!this->Boxes.empty())
   {
     this->Tree = std::make_unique<skd::PackedRTree>(this->Boxes);

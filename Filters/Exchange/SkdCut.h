@@ -50,9 +50,12 @@ public:
   }
 
   ///@{
-  /// All boxes, and whose each is; those of a process follow each other.
+  /// All boxes; those of a process follow each other, from its first to before the next one's.
   const std::vector<skd::Box3>& GetBoxes() const { return this->Boxes; }
-  const std::vector<int>& GetOwners() const { return this->Owners; }
+  std::size_t GetFirst(int process) const
+  {
+    return this->Firsts[static_cast<std::size_t>(process)];
+  }
   ///@}
 
   /// The processes that have a box which overlaps this one, ascending, each once.
@@ -61,7 +64,8 @@ public:
 private:
   std::vector<skd::Box3> Boxes;
   std::vector<int> Owners;
-  std::vector<skd::Box3> Bounds; // by process
+  std::vector<skd::Box3> Bounds;   // by process
+  std::vector<std::size_t> Firsts; // by process, and where the last ends
   std::unique_ptr<skd::PackedRTree> Tree;
 };
 }

@@ -128,25 +128,24 @@ template <class GapFunction>
 void SkdSpreadSource::List(
   double limit2, const GapFunction& gapOf, std::vector<SkdNearProcess>& near) const
 {
-  constexpr double none = std::numeric_limits<double>::infinity();
   const std::vector<skd::Box3>& boxes = this->Cut->GetBoxes();
-  const std::vector<int>& owners = this->Cut->GetOwners();
-  std::size_t at = 0;
   for (int process = 0; process < this->Cut->GetNumberOfProcesses(); ++process)
   {
     const skd::Box3& bounds = this->Cut->GetBounds(process);
     const double largest = skd::LargestCoordinate(bounds);
-    const bool isDue = process != this->Transport->GetRank() && !bounds.IsEmpty() &&
-      IsWithin(gapOf(bounds, largest), limit2);
-    double nearest2 = none;
-    bool isNear = false;
-    for (; at < boxes.size() && owners[at] == process; ++at)
+    if (process == this->Transport->GetRank() || bounds.IsEmpty() ||
+      !IsWithin(gapOf(bounds, largest), limit2))
     {
-      const double gap = isDue ? gapOf(boxes[at], largest) : -1.0;
-      isNear = isNear || IsWithin(gap, limit2);
-      nearest2 = IsWithin(gap, limit2) ? std::min(nearest2, gap) : nearest2;
+      continue;
     }
-    if (isNear)
+    double nearest2 = -1.0; // as long as there is none
+    for (std::size_t i = this->Cut->GetFirst(process); i < this->Cut->GetFirst(process + 1); ++i)
+    {
+      const double gap2 = gapOf(boxes[i], largest);
+      const bool isNearer = IsWithin(gap2, nearest2 < 0.0 ? limit2 : nearest2);
+      nearest2 = isNearer ? gap2 : nearest2;
+    }
+    if (nearest2 >= 0.0)
     {
       near.push_back({ process, nearest2 });
     }
