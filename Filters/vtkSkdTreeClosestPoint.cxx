@@ -5,6 +5,7 @@
 #include "Bodies/SkdSource.h"
 #include "Exchange/SkdFilterInputs.h"
 #include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdCoherentSource.h"
 #include "Pipeline/SkdInterpolate.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPrint.h"
@@ -72,11 +73,12 @@ SkdClosestArrays FindNearest(
   loop.For(mesh->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
     {
+      SkdCoherentSource coherent(source);
       for (vtkIdType i = begin; i < end; ++i)
       {
         double x[3];
         mesh->GetPoint(i, x);
-        if (const auto nearest = source.FindNearest(x, maximumDistance))
+        if (const auto nearest = coherent.FindNearest(x, maximumDistance))
         {
           answers.Set(i, *nearest, source.IsInside(x));
         }

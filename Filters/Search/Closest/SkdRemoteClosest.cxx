@@ -3,6 +3,7 @@
 #include "Search/Closest/SkdRemoteClosest.h"
 
 #include "Exchange/SkdNearestExchange.h"
+#include "Pipeline/SkdCoherentSource.h"
 
 #include <algorithm>
 #include <tuple>
@@ -70,15 +71,22 @@ public:
   template <class QuestionOf, class Set>
   void FindHere(std::size_t n, const QuestionOf& questionOf, const Set& set) const
   {
-    SkdForEach(n,
-      [&](std::size_t i)
+    constexpr std::size_t block = 256; // of questions that follow each other
+    SkdForEach(
+      (n + block - 1) / block,
+      [&](std::size_t at)
       {
-        const auto question = questionOf(i);
-        if (const auto nearest = this->TheOwn.FindNearest(question.Request.X, question.Radius))
+        SkdCoherentSource coherent(this->TheOwn);
+        for (std::size_t i = at * block; i < std::min(n, (at + 1) * block); ++i)
         {
-          set(i, *nearest);
+          const auto question = questionOf(i);
+          if (const auto nearest = coherent.FindNearest(question.Request.X, question.Radius))
+          {
+            set(i, *nearest);
+          }
         }
-      });
+      },
+      n > block ? 1 : 0);
   }
 
   void ListNear(const skd::Vector3& x, double radius, std::vector<SkdNearProcess>& near) const
