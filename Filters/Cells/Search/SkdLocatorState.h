@@ -117,7 +117,10 @@ public:
   }
   skd::Segment<3> ToTree(const double p1[3], const double p2[3]) const
   {
-    return { this->ToTree(p1), this->ToTree(p2) };
+    const skd::Segment<3> segment{ SkdVector(p1), SkdVector(p2) };
+    return this->Motion
+      ? skd::Segment<3>{ this->Motion->Back(segment.A), this->Motion->Back(segment.B) }
+      : segment;
   }
   skd::Vector3 ToWorld(const skd::Vector3& x) const
   {

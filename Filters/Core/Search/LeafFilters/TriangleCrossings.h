@@ -30,7 +30,8 @@ public:
     const Shear& shear = this->TheShear;
     this->X = local[shear.X] - shear.SlopeX * local[shear.Z];
     this->Y = local[shear.Y] - shear.SlopeY * local[shear.Z];
-    this->TwoMargins = 2.0f * Frame<3>::RoundUpInRange(margin);
+    constexpr double two = 2.0 + 1.0 / (1 << 22); // rounding does not make less than 2 of it
+    this->TwoMargins = static_cast<float>(two * margin);
   }
 
   /// Bit i: the line may intersect the triangle of lane i.
@@ -49,15 +50,23 @@ public:
     const float error =
       rounding + this->TwoMargins * perUnit + 1.25f * tolerances::CrossingSum * extent;
     const float slack = (error + error) * (extent + extent + error);
+    const Rows rows{ { packet, shear.X }, { packet, shear.Y }, { packet, shear.Z } };
     unsigned met = 0;
     for (int first = 0; first < TrianglePacket::Width; first += NativeWidth)
     {
-      met |= this->Test<NativeWidth>(packet, x, y, slack, first) << first;
+      met |= this->Test<NativeWidth>(rows, x, y, slack, first) << first;
     }
     return met;
   }
 
 private:
+  struct Rows
+  {
+    TrianglePacket::Row X;
+    TrianglePacket::Row Y;
+    TrianglePacket::Row Z;
+  };
+
   template <int W>
   struct Across
   {
@@ -66,22 +75,21 @@ private:
   };
 
   template <int W>
-  Across<W> See(const TrianglePacket& packet, int corner, float x, float y, int first) const
+  Across<W> See(const Rows& rows, int corner, float x, float y, int first) const
   {
     using L = Lanes<W>;
-    const L z = packet.Load<W>(corner, this->TheShear.Z, first);
-    return { MinusProduct(packet.Load<W>(corner, this->TheShear.X, first), L(this->SlopeX), z) -
-        L(x),
-      MinusProduct(packet.Load<W>(corner, this->TheShear.Y, first), L(this->SlopeY), z) - L(y) };
+    const L z = rows.Z.Load<W>(corner, first);
+    return { MinusProduct(rows.X.Load<W>(corner, first), L(this->SlopeX), z) - L(x),
+      MinusProduct(rows.Y.Load<W>(corner, first), L(this->SlopeY), z) - L(y) };
   }
 
   template <int W>
-  unsigned Test(const TrianglePacket& packet, float x, float y, float slack, int first) const
+  unsigned Test(const Rows& rows, float x, float y, float slack, int first) const
   {
     using L = Lanes<W>;
-    const Across<W> a = this->See<W>(packet, 0, x, y, first);
-    const Across<W> b = this->See<W>(packet, 1, x, y, first);
-    const Across<W> c = this->See<W>(packet, 2, x, y, first);
+    const Across<W> a = this->See<W>(rows, 0, x, y, first);
+    const Across<W> b = this->See<W>(rows, 1, x, y, first);
+    const Across<W> c = this->See<W>(rows, 2, x, y, first);
     const L u = MinusProduct(b.X * c.Y, b.Y, c.X);
     const L v = MinusProduct(c.X * a.Y, c.Y, a.X);
     const L w = MinusProduct(a.X * b.Y, a.Y, b.X);

@@ -34,6 +34,27 @@ struct alignas(64) TrianglePacket
   {
     return Lanes<W>::LoadShorts(this->Corners[corner][axis] + first);
   }
+
+  /// The coordinates of all corners along one axis, which is not known when this is compiled: its
+  /// address is computed once.
+  class Row
+  {
+  public:
+    Row(const TrianglePacket& packet, int axis)
+      : First(packet.Corners[0][axis])
+    {
+    }
+
+    template <int W>
+    Lanes<W> Load(int corner, int first) const
+    {
+      constexpr int perCorner = 3 * Width;
+      return Lanes<W>::LoadShorts(this->First + (corner * perCorner + first));
+    }
+
+  private:
+    const std::int16_t* First;
+  };
 };
 
 /// Three coordinates, each for some lanes.

@@ -29,28 +29,25 @@ public:
   static constexpr bool Ordered = InOrder;
 
   template <class... PartsOfLeafFilter>
-  SKD_NOINLINE AlongSegment(const Frame<D>& frame, const Segment<D>& segment, double margin,
-    Visitor& visitor, const PartsOfLeafFilter&... parts)
+  AlongSegment(const Frame<D>& frame, const Segment<D>& segment, double margin, Visitor& visitor,
+    const PartsOfLeafFilter&... parts)
     : FilteredQuery<AlongSegment, LeafFilter>(-1.0f, parts...) // less than every key
     , TheVisitor(visitor)
   {
-    const Line line(frame, segment);
-    const bool isNear = line.IsNear();
-    const double rounding = isNear ? Line::RoundingNear : line.Rounding();
-    const double margin2 = margin * frame.Scale + rounding;
-    if (!isNear)
+    Line line(frame, segment);
+    double rounding = Line::RoundingNear;
+    if (!line.IsNear())
     {
-      const Interval inside = line.Within(2.0 + margin2 + rounding);
-      if (!(inside.Min <= inside.Max && std::isfinite(rounding)))
+      rounding = line.Rounding();
+      if (!std::isfinite(rounding) ||
+        !this->Clip(line, 2.0 + margin * frame.Scale + 2.0 * rounding))
       {
         return;
       }
-      this->Begin = inside.Min;
-      this->PerLength = 1.0 / std::max(inside.Max - inside.Min, Least);
     }
     if (margin >= 0.0)
     {
-      this->SetLocal(line, std::min(margin2, Most));
+      this->SetLocal(line, std::min(margin * frame.Scale + rounding, Most));
       this->EndAt(1.0f);
     }
   }
@@ -152,29 +149,40 @@ private:
 
     AxisLanes<D> From;
     AxisLanes<D> Along;
-    AxisLanes<D> Inverse; ///< of the lengths along the axes
+    AxisLanes<D> Inverse; ///< of the lengths along the axes, in the parameter of what is left
   };
+
+  /// Leaves of a line what no coordinate is beyond `room` of. False: nothing.
+  bool Clip(Line& line, double room)
+  {
+    const Interval inside = line.Within(room);
+    if (!(inside.Min <= inside.Max))
+    {
+      return false;
+    }
+    this->Begin = inside.Min;
+    this->PerLength = 1.0 / std::max(inside.Max - inside.Min, Least);
+    line.From = line.From + AxisLanes<D>(this->Begin) * line.Along;
+    line.Inverse = Min(line.Inverse * AxisLanes<D>(this->PerLength), AxisLanes<D>(Most));
+    return true;
+  }
 
   void SetLocal(const Line& line, double margin2)
   {
-    const AxisLanes<D> begin = line.From + AxisLanes<D>(this->Begin) * line.Along;
-    const AxisLanes<D> room = TimesSign(Room(begin, margin2), line.Along);
-    const AxisLanes<D> perStep =
-      Min(line.Inverse * AxisLanes<D>(this->PerLength), AxisLanes<D>(Most));
-    const AxisLanes<D> back = -TimesSign(perStep, line.Along);
-    SpreadOut((begin + room) * back, this->Enter);
-    SpreadOut((begin - room) * back + AxisLanes<D>(Slack), this->Leave);
+    const AxisLanes<D> room = TimesSign(Room(line.From, margin2), line.Along);
+    const AxisLanes<D> back = -TimesSign(line.Inverse, line.Along);
+    SpreadOut((line.From + room) * back, this->Enter);
+    SpreadOut((line.From - room) * back + AxisLanes<D>(Slack), this->Leave);
     SpreadOut(back, this->Back);
     this->Sides = &Packet::SidesOf(line.Along.Signs());
-    this->TheLeafFilter.Aim(begin.Values(), margin2);
+    this->TheLeafFilter.Aim(line.From.Values(), margin2);
   }
 
-  template <class Repeated>
-  static void SpreadOut(const AxisLanes<D>& from, Repeated* to)
+  static void SpreadOut(const AxisLanes<D>& from, Spread* to)
   {
-    float values[D];
-    from.Store(values);
-    ForEachAxis<D>([&](int axis) { to[axis] = Repeated(values[axis]); });
+    float values[AxisLanes<D>::Room];
+    from.StorePadded(values);
+    ForEachAxis<AxisLanes<D>::Room>([&](int i) { to[i] = Spread(values[i]); });
   }
 
   /// How far coordinates are moved outward so that the floats nearest to their products with a
@@ -194,9 +202,9 @@ private:
   ///@{
   /// The parameters at which the planes through the frame's centre are passed, and that for each
   /// step, negative: what a side of a box is away is subtracted.
-  FirstSpread Enter[D];
-  FirstSpread Leave[D];
-  Spread Back[D];
+  Spread Enter[AxisLanes<D>::Room];
+  Spread Leave[AxisLanes<D>::Room];
+  Spread Back[AxisLanes<D>::Room];
   ///@}
   Visitor& TheVisitor;
 };

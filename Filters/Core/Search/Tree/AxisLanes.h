@@ -40,13 +40,13 @@ public:
     return values;
   }
 
-  /// Rounded to floats, or whole numbers as such.
-  template <class Number>
-  void Store(Number* to) const
+  /// What whole registers hold: D, and what is beyond.
+  static constexpr int Room = (D + NativeDoubles - 1) / NativeDoubles * NativeDoubles;
+
+  /// Rounded to floats.
+  void StorePadded(float (&to)[Room]) const
   {
-    Number padded[Room];
-    ForEachAxis<Count>([&](int i) { StoreAs(this->Registers[i], padded + i * NativeDoubles); });
-    ForEachAxis<D>([&](int axis) { to[axis] = padded[axis]; });
+    ForEachAxis<Count>([&](int i) { StoreAs(this->Registers[i], to + i * NativeDoubles); });
   }
 
   friend AxisLanes operator+(const AxisLanes& a, const AxisLanes& b)
@@ -102,8 +102,7 @@ public:
   }
 
 private:
-  static constexpr int Count = (D + NativeDoubles - 1) / NativeDoubles;
-  static constexpr int Room = Count * NativeDoubles;
+  static constexpr int Count = Room / NativeDoubles;
 
   template <class Function>
   static AxisLanes Map(const AxisLanes& a, const AxisLanes& b, Function function)

@@ -386,12 +386,12 @@ void StoreAs(const DoubleVector& values, Number* to)
 #endif
 }
 
-/// One number for every lane of many operations: spread out once.
-class Spread
+/// One number in every lane of a register.
+class InEveryLane
 {
 public:
-  Spread() = default;
-  explicit Spread(float value)
+  InEveryLane() = default;
+  explicit InEveryLane(float value)
     : Values(detail::Same(value))
   {
   }
@@ -403,11 +403,12 @@ private:
   detail::FloatVector Values;
 };
 
-/// The same of what is the first operand, so is loaded by itself: with AVX that spreads it out.
+/// One number for every lane of many operations, as it is quickest to load: AVX spreads it out as
+/// it loads it.
 #if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__)
-using FirstSpread = float;
+using Spread = float;
 #else
-using FirstSpread = Spread;
+using Spread = InEveryLane;
 #endif
 
 /// Lane by lane arithmetic on W floats. NaN: Max(a, b) and Min(a, b) give b if either is NaN.
@@ -426,7 +427,7 @@ public:
     }
   }
 
-  explicit Lanes(const Spread& value)
+  explicit Lanes(const InEveryLane& value)
   {
     for (detail::FloatVector& some : this->Registers)
     {
