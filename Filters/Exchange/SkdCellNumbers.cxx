@@ -7,7 +7,6 @@
 #include "Exchange/SkdRepeatedCells.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
 
 #include <algorithm>
@@ -101,13 +100,13 @@ private:
     const auto processes = static_cast<std::size_t>(this->Transport.GetNumber());
     Ids questions(processes);
     Ids queries(processes);
-    const unsigned char* ghosts = SkdGhostsOf(this->Piece, vtkDataObject::CELL);
+    const std::vector<unsigned char> ghosts = SkdDuplicatesOf(this->Piece, vtkDataObject::CELL);
     std::vector<vtkIdType> points;
     vtkNew<vtkIdList> list;
     for (std::size_t id = 0; id < this->Counts.size(); ++id)
     {
       const auto cell = static_cast<vtkIdType>(id);
-      this->Counts[id] = !ghosts || !(ghosts[id] & vtkDataSetAttributes::DUPLICATECELL);
+      this->Counts[id] = ghosts.empty() || !ghosts[id];
       if (this->Counts[id] && this->MayBeRepeated(cell, points, list))
       {
         const SkdRepeatedCells::Key key = this->KeyOf(cell, points);

@@ -65,7 +65,7 @@ public:
 private:
   void Add(vtkDataSet* mesh, int piece, int type, bool areDuplicates)
   {
-    const unsigned char* ghosts = SkdGhostsOf(mesh, type);
+    const std::vector<unsigned char> ghosts = SkdIncompleteOf(mesh, type);
     const Lattice own(SkdExtentOf(mesh), type);
     vtkIdType from = 0;
     own.VisitAll(
@@ -73,8 +73,7 @@ private:
       {
         const vtkIdType to = this->Whole.IdOf(ijk);
         SkdPieceCell& origin = this->Origins[static_cast<std::size_t>(to)];
-        const bool isDuplicate =
-          ghosts && (ghosts[from] & vtkDataSetAttributes::DUPLICATECELL) != 0;
+        const bool isDuplicate = !ghosts.empty() && ghosts[static_cast<std::size_t>(from)];
         if (origin.Piece < 0 && isDuplicate == areDuplicates)
         {
           origin = { piece, from };

@@ -106,10 +106,10 @@ template <class Visit>
 void CellJoin::VisitOwnCells(int piece, const Visit& visit) const
 {
   vtkDataSet* mesh = this->Pieces[static_cast<std::size_t>(piece)];
-  const unsigned char* ghosts = SkdGhostsOf(mesh, vtkDataObject::CELL);
+  const std::vector<unsigned char> ghosts = SkdDuplicatesOf(mesh, vtkDataObject::CELL);
   for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); ++id)
   {
-    if (!ghosts || !(ghosts[id] & vtkDataSetAttributes::DUPLICATECELL))
+    if (ghosts.empty() || !ghosts[static_cast<std::size_t>(id)])
     {
       visit(id);
     }
@@ -222,8 +222,9 @@ void CellJoin::FindRepeatedId()
 SkdJoinedPieces JoinAnyCells(const SkdPieces& pieces)
 {
   const CellJoin join(pieces);
-  const SkdMeshParts parts{ pieces, join.GetCells(), join.GetPoints().GetIds(),
-    join.GetPoints().GetTuples(), join.GetPoints().GetNumber() };
+  const std::vector<SkdPieceTuples> tuples = join.GetPoints().GetTuples();
+  const SkdMeshParts parts{ pieces, join.GetCells(), join.GetPoints().GetIds(), tuples,
+    join.GetPoints().GetNumber() };
   vtkSmartPointer<vtkDataSet> mesh;
   if (AreSurfaces(pieces))
   {

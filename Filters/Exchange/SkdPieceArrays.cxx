@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdPieceArrays.h"
 
+#include "Cells/Read/SkdCellReader.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -38,6 +40,37 @@ void RemoveMarksOfDuplicates(vtkDataSetAttributes* data)
       [](unsigned char mark)
       { return static_cast<unsigned char>(mark & ~vtkDataSetAttributes::DUPLICATECELL); });
   }
+}
+
+/// Marks the points that are only in marked cells.
+void AddPointsOfDuplicates(
+  vtkDataSet* piece, const std::vector<unsigned char>& cells, std::vector<unsigned char>& points)
+{
+  if (cells.empty())
+  {
+    return;
+  }
+  std::vector<unsigned char> isOnlyIn(static_cast<std::size_t>(piece->GetNumberOfPoints()), 0);
+  const SkdCellReader reader(piece);
+  vtkNew<vtkIdList> list;
+  for (const bool areMarked : { true, false })
+  {
+    for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    {
+      if ((cells[cell] != 0) == areMarked)
+      {
+        reader.VisitPoints(static_cast<vtkIdType>(cell), list,
+          [&](const auto* ids, std::size_t size)
+          {
+            std::for_each(ids, ids + size,
+              [&](auto id) { isOnlyIn[static_cast<std::size_t>(id)] = areMarked ? 1 : 0; });
+          });
+      }
+    }
+  }
+  points.resize(isOnlyIn.size(), 0);
+  std::transform(points.begin(), points.end(), isOnlyIn.begin(), points.begin(),
+    [](unsigned char a, unsigned char b) { return static_cast<unsigned char>(a | b); });
 }
 
 int PrecisionOf(const SkdPieces& pieces)
@@ -97,25 +130,37 @@ vtkSmartPointer<vtkPoints> SkdJoinPoints(
   return points;
 }
 
-const unsigned char* SkdGhostsOf(vtkDataSet* piece, int type)
+std::vector<unsigned char> SkdDuplicatesOf(vtkDataSet* piece, int type)
 {
+  std::vector<unsigned char> marked;
   auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
     piece->GetAttributes(type)->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  return ghosts && ghosts->GetNumberOfValues() > 0 ? ghosts->GetPointer(0) : nullptr;
+  const vtkIdType number =
+    ghosts ? std::min(ghosts->GetNumberOfValues(), piece->GetNumberOfElements(type)) : 0;
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    if (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATECELL)
+    {
+      marked.resize(static_cast<std::size_t>(piece->GetNumberOfElements(type)), 0);
+      marked[static_cast<std::size_t>(i)] = 1;
+    }
+  }
+  return marked;
+}
+
+std::vector<unsigned char> SkdIncompleteOf(vtkDataSet* piece, int type)
+{
+  std::vector<unsigned char> incomplete = SkdDuplicatesOf(piece, type);
+  if (type == vtkDataObject::POINT)
+  {
+    AddPointsOfDuplicates(piece, SkdDuplicatesOf(piece, vtkDataObject::CELL), incomplete);
+  }
+  return incomplete;
 }
 
 bool SkdHasDuplicates(vtkDataSet* piece)
 {
-  for (int type : { vtkDataObject::POINT, vtkDataObject::CELL })
-  {
-    const unsigned char* ghosts = SkdGhostsOf(piece, type);
-    const vtkIdType number = ghosts ? piece->GetNumberOfElements(type) : 0;
-    if (std::any_of(ghosts, ghosts + number,
-          [](unsigned char mark) { return (mark & vtkDataSetAttributes::DUPLICATECELL) != 0; }))
-    {
-      return true;
-    }
-  }
-  return false;
+  return !SkdDuplicatesOf(piece, vtkDataObject::POINT).empty() ||
+    !SkdDuplicatesOf(piece, vtkDataObject::CELL).empty();
 }
 }

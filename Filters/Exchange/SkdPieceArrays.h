@@ -35,8 +35,13 @@ void SkdJoinArrays(const SkdPieces& pieces, const std::vector<SkdPieceTuples>& t
 vtkSmartPointer<vtkPoints> SkdJoinPoints(
   const SkdPieces& pieces, const std::vector<SkdPieceTuples>& tuples, vtkIdType number);
 
-/// The ghost marks of a piece's points or cells, nullptr if there are none.
-const unsigned char* SkdGhostsOf(vtkDataSet* piece, int type);
+/// Whether each of a piece's points or cells is marked as a duplicate; empty if none is.
+std::vector<unsigned char> SkdDuplicatesOf(vtkDataSet* piece, int type);
+
+/// The same, also of points that are in duplicate cells alone. Sources do not mark all of these,
+/// and data that come of a point's neighbours, as normals do, are not complete there: another piece
+/// has them. O(n).
+std::vector<unsigned char> SkdIncompleteOf(vtkDataSet* piece, int type);
 
 /// Whether any point or cell of a piece is marked as a duplicate.
 bool SkdHasDuplicates(vtkDataSet* piece);

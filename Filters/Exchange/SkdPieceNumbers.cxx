@@ -4,7 +4,6 @@
 
 #include "Exchange/SkdGridLattice.h"
 #include "Exchange/SkdPieceArrays.h"
-#include "vtkDataSetAttributes.h"
 
 #include <algorithm>
 #include <map>
@@ -83,7 +82,8 @@ public:
     }
     if (facts.IsFull(rank))
     {
-      this->Number(SkdGridLattice(facts.Of(rank).Extent, type), others, SkdGhostsOf(piece, type));
+      this->Number(
+        SkdGridLattice(facts.Of(rank).Extent, type), others, SkdIncompleteOf(piece, type));
     }
     this->AskForOrigins();
   }
@@ -95,7 +95,7 @@ public:
 
 private:
   void Number(const SkdGridLattice& own, const std::vector<SkdGridLattice>& others,
-    const unsigned char* ghosts)
+    const std::vector<unsigned char>& ghosts)
   {
     this->Questions.resize(static_cast<std::size_t>(this->Transport.GetNumber()));
     this->Queries.resize(this->Questions.size());
@@ -111,8 +111,7 @@ private:
         if (isShared)
         {
           const auto to = static_cast<std::size_t>(id) % this->Questions.size();
-          const bool isDuplicate =
-            ghosts && (ghosts[at] & vtkDataSetAttributes::DUPLICATECELL) != 0;
+          const bool isDuplicate = !ghosts.empty() && ghosts[static_cast<std::size_t>(at)];
           this->Questions[to].push_back({ id, at, isDuplicate });
           this->Queries[to].push_back(at);
         }

@@ -5,7 +5,6 @@
 #include "Bodies/SkdWeld.h"
 #include "Exchange/SkdNearPoints.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -17,17 +16,17 @@ SkdPiecePoints::SkdPiecePoints(const SkdPieces& pieces)
   : Pieces(pieces)
   , Keys(pieces.size())
   , Ids(pieces.size())
-  , Tuples(pieces.size())
 {
   this->FindKeys();
   for (std::size_t piece = 0; piece < pieces.size(); ++piece)
   {
     const vtkIdType number = pieces[piece]->GetNumberOfPoints();
-    const unsigned char* ghosts = SkdGhostsOf(pieces[piece], vtkDataObject::POINT);
+    const std::vector<unsigned char> ghosts = SkdDuplicatesOf(pieces[piece], vtkDataObject::POINT);
+    this->Incomplete.push_back(SkdIncompleteOf(pieces[piece], vtkDataObject::POINT));
     this->Ids[piece].assign(static_cast<std::size_t>(number), -1);
     for (vtkIdType point = 0; point < number; ++point)
     {
-      if (!ghosts || !(ghosts[point] & vtkDataSetAttributes::DUPLICATEPOINT))
+      if (ghosts.empty() || !ghosts[static_cast<std::size_t>(point)])
       {
         this->Add(static_cast<int>(piece), point);
       }
@@ -109,11 +108,31 @@ vtkIdType SkdPiecePoints::Add(int piece, vtkIdType point)
   const auto at = static_cast<std::size_t>(piece);
   const vtkIdType before = this->GetNumber();
   const vtkIdType id = this->Join.Add(piece, this->Keys[at][static_cast<std::size_t>(point)]);
+  const Origin own{ piece, point };
   if (id == before)
   {
-    this->Tuples[at].Add(point, id);
+    this->Origins.push_back(own);
   }
+  Origin& origin = this->Origins[static_cast<std::size_t>(id)];
+  origin = this->IsIncomplete(origin) && !this->IsIncomplete(own) ? own : origin;
   this->Ids[at][static_cast<std::size_t>(point)] = id;
   return id;
+}
+
+bool SkdPiecePoints::IsIncomplete(const Origin& point) const
+{
+  const std::vector<unsigned char>& are = this->Incomplete[static_cast<std::size_t>(point.Piece)];
+  return !are.empty() && are[static_cast<std::size_t>(point.Point)];
+}
+
+std::vector<SkdPieceTuples> SkdPiecePoints::GetTuples() const
+{
+  std::vector<SkdPieceTuples> tuples(this->Pieces.size());
+  for (std::size_t id = 0; id < this->Origins.size(); ++id)
+  {
+    const Origin& origin = this->Origins[id];
+    tuples[static_cast<std::size_t>(origin.Piece)].Add(origin.Point, static_cast<vtkIdType>(id));
+  }
+  return tuples;
 }
 }

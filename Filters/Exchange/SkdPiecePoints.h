@@ -38,23 +38,32 @@ public:
   /// IdOf() of all, by piece and point.
   const std::vector<std::vector<vtkIdType>>& GetIds() const { return this->Ids; }
 
-  /// Which joined point is made of which points.
-  const std::vector<SkdPieceTuples>& GetTuples() const { return this->Tuples; }
+  /// Of which point each joined one has its coordinates and data: the first that is complete
+  /// (SkdIncompleteOf).
+  std::vector<SkdPieceTuples> GetTuples() const;
 
   /// One that different points have.
   const SkdRepeatedId& GetRepeatedId() const { return this->Repeated; }
 
 private:
+  struct Origin
+  {
+    int Piece;
+    vtkIdType Point;
+  };
+
   void FindKeys();
   void FindKeysByGlobalIds();
   void FindKeysByCoordinates();
   vtkIdType Add(int piece, vtkIdType point);
+  bool IsIncomplete(const Origin& point) const;
 
   const SkdPieces& Pieces;
   std::vector<std::vector<vtkIdType>> Keys; // of each piece's points: equal where they may be one
   std::vector<std::vector<vtkIdType>> Ids;  // of each piece's points, joined
   SkdPointJoin Join;
-  std::vector<SkdPieceTuples> Tuples;
+  std::vector<Origin> Origins;                        // by joined point
+  std::vector<std::vector<unsigned char>> Incomplete; // of each piece's points
   SkdRepeatedId Repeated;
 };
 }

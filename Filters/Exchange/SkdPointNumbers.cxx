@@ -9,7 +9,6 @@
 #include "Exchange/SkdPieceArrays.h"
 #include "Exchange/SkdPointJoin.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
@@ -33,11 +32,13 @@ struct PointQuestion
   vtkIdType GlobalId; // if all points have such
   vtkIdType Point;
   vtkIdType Order;
+  bool IsIncomplete;
 };
 
 struct PointAnswer
 {
-  SkdPointOrigin Origin;
+  SkdPointOrigin Numbered; // by whom
+  SkdPointOrigin Data;
   bool IsShared;
 };
 
@@ -117,15 +118,20 @@ public:
     {
       for (const vtkIdType id : this->Ids[piece])
       {
-        answers[piece].push_back(id < 0
-            ? PointAnswer{ { -1, -1 }, false }
-            : PointAnswer{ this->Origins[static_cast<std::size_t>(id)], this->Join.IsShared(id) });
+        answers[piece].push_back(
+          id < 0 ? PointAnswer{ { -1, -1 }, { -1, -1 }, false } : this->AnswerOf(id));
       }
     }
     return answers;
   }
 
 private:
+  PointAnswer AnswerOf(vtkIdType id) const
+  {
+    const Origin& origin = this->Origins[static_cast<std::size_t>(id)];
+    return { origin.Numbered, origin.Data, this->Join.IsShared(id) };
+  }
+
   void AddOwn(std::size_t piece)
   {
     for (std::size_t i = 0; i < this->Queries[piece].size(); ++i)
@@ -160,18 +166,34 @@ private:
   {
     const vtkIdType before = this->Join.GetNumber();
     const vtkIdType id = this->Join.Add(static_cast<int>(piece), this->Keyed[piece][i]);
+    const PointQuestion& question = this->Queries[piece][i];
+    const SkdPointOrigin own{ static_cast<int>(piece), question.Point };
     if (id == before)
     {
-      this->Origins.push_back({ static_cast<int>(piece), this->Queries[piece][i].Point });
+      this->Origins.push_back({ own, own, question.IsIncomplete });
+    }
+    Origin& origin = this->Origins[static_cast<std::size_t>(id)];
+    if (origin.IsIncomplete && !question.IsIncomplete)
+    {
+      origin.Data = own;
+      origin.IsIncomplete = false;
     }
     this->Ids[piece][i] = id;
   }
+
+  /// The first point, and the first that is complete (SkdIncompleteOf).
+  struct Origin
+  {
+    SkdPointOrigin Numbered;
+    SkdPointOrigin Data;
+    bool IsIncomplete;
+  };
 
   const Questions& Queries;
   const Keys& Keyed;
   SkdPointJoin Join;
   Keys Ids;
-  std::vector<SkdPointOrigin> Origins; // by joined point
+  std::vector<Origin> Origins; // by joined point
 };
 
 //------------------------------------------------------------------------------
@@ -235,6 +257,7 @@ public:
     , Piece(piece)
     , Facts(facts)
     , Orders(static_cast<std::size_t>(piece->GetNumberOfPoints()), AtOnce)
+    , Incomplete(SkdIncompleteOf(piece, vtkDataObject::POINT))
     , Queries(static_cast<std::size_t>(transport.GetNumber()))
     , QueriedPoints(Queries.size())
   {
@@ -267,22 +290,19 @@ private:
   // Ghost points in the order in which cells that are no ghosts use them.
   void FindOrders()
   {
-    const unsigned char* ghosts = SkdGhostsOf(this->Piece, vtkDataObject::POINT);
-    if (!ghosts)
+    const std::vector<unsigned char> ghosts = SkdDuplicatesOf(this->Piece, vtkDataObject::POINT);
+    if (ghosts.empty())
     {
       return;
     }
-    for (std::size_t point = 0; point < this->Orders.size(); ++point)
-    {
-      const bool isGhost = (ghosts[point] & vtkDataSetAttributes::DUPLICATEPOINT) != 0;
-      this->Orders[point] = isGhost ? Never : AtOnce;
-    }
-    const unsigned char* ghostCells = SkdGhostsOf(this->Piece, vtkDataObject::CELL);
+    std::transform(ghosts.begin(), ghosts.end(), this->Orders.begin(),
+      [](unsigned char isGhost) { return isGhost ? Never : AtOnce; });
+    const std::vector<unsigned char> ghostCells = SkdDuplicatesOf(this->Piece, vtkDataObject::CELL);
     const SkdCellReader reader(this->Piece);
     vtkNew<vtkIdList> list;
     for (vtkIdType cell = 0; cell < this->Piece->GetNumberOfCells(); ++cell)
     {
-      if (!ghostCells || !(ghostCells[cell] & vtkDataSetAttributes::DUPLICATECELL))
+      if (ghostCells.empty() || !ghostCells[static_cast<std::size_t>(cell)])
       {
         reader.VisitPoints(cell, list,
           [&](const auto* points, std::size_t size)
@@ -308,6 +328,8 @@ private:
     question.GlobalId = -1;
     question.Point = point;
     question.Order = this->Orders[static_cast<std::size_t>(point)];
+    question.IsIncomplete =
+      !this->Incomplete.empty() && this->Incomplete[static_cast<std::size_t>(point)];
     return question;
   }
 
@@ -352,7 +374,7 @@ private:
   }
 
   void TakeOrigins(const Answers& answers, std::vector<SkdPointOrigin>& origins,
-    std::vector<unsigned char>& isShared) const
+    std::vector<unsigned char>& isShared)
   {
     for (std::size_t point = 0; point < this->Orders.size(); ++point)
     {
@@ -361,6 +383,7 @@ private:
           ? SkdPointOrigin{ this->Transport.GetRank(), static_cast<vtkIdType>(point) }
           : SkdPointOrigin{ -1, -1 });
     }
+    this->Numbered = origins;
     for (std::size_t to = 0; to < answers.size(); ++to)
     {
       for (std::size_t i = 0; i < answers[to].size(); ++i)
@@ -368,33 +391,34 @@ private:
         if (this->QueriedPoints[to][i] >= 0)
         {
           const auto point = static_cast<std::size_t>(this->QueriedPoints[to][i]);
-          origins[point] = answers[to][i].Origin;
+          this->Numbered[point] = answers[to][i].Numbered;
+          origins[point] = answers[to][i].Data;
           isShared[point] = answers[to][i].IsShared ? 1 : 0;
         }
       }
     }
   }
 
-  bool IsOwn(const SkdPieceNumbers& numbers, vtkIdType point) const
+  bool IsOwn(vtkIdType point) const
   {
-    const SkdPointOrigin& origin = numbers.PointOrigins[static_cast<std::size_t>(point)];
+    const SkdPointOrigin& origin = this->Numbered[static_cast<std::size_t>(point)];
     return origin.Process == this->Transport.GetRank() && origin.Point == point;
   }
 
-  /// Those whose coordinates and data are this piece's.
+  /// Those that no earlier piece has.
   void NumberOwn(SkdPieceNumbers& numbers) const
   {
     std::vector<vtkIdType> own;
     for (std::size_t point = 0; point < this->Orders.size(); ++point)
     {
-      if (this->Orders[point] == AtOnce && this->IsOwn(numbers, static_cast<vtkIdType>(point)))
+      if (this->Orders[point] == AtOnce && this->IsOwn(static_cast<vtkIdType>(point)))
       {
         own.push_back(static_cast<vtkIdType>(point));
       }
     }
     std::vector<vtkIdType> ghosts;
     std::copy_if(this->UsedGhosts.begin(), this->UsedGhosts.end(), std::back_inserter(ghosts),
-      [&](vtkIdType point) { return this->IsOwn(numbers, point); });
+      [&](vtkIdType point) { return this->IsOwn(point); });
     const std::vector<SkdRunningSum> sums = SkdSumOver(this->Transport,
       { static_cast<vtkIdType>(own.size()), static_cast<vtkIdType>(ghosts.size()) });
     const auto number = [&](const std::vector<vtkIdType>& points, vtkIdType next)
@@ -415,7 +439,7 @@ private:
     SkdRowsByProcess<std::size_t> points(this->Queries.size());
     for (std::size_t point = 0; point < this->Orders.size(); ++point)
     {
-      const SkdPointOrigin& origin = numbers.PointOrigins[point];
+      const SkdPointOrigin& origin = this->Numbered[point];
       if (numbers.PointIds[point] < 0 && origin.Process >= 0)
       {
         queries[static_cast<std::size_t>(origin.Process)].push_back(origin.Point);
@@ -444,8 +468,10 @@ private:
   SkdTransport& Transport;
   vtkDataSet* Piece;
   const SkdAllFacts& Facts;
-  std::vector<vtkIdType> Orders;     // by point
-  std::vector<vtkIdType> UsedGhosts; // in their order
+  std::vector<vtkIdType> Orders;         // by point
+  std::vector<unsigned char> Incomplete; // likewise, or none is
+  std::vector<SkdPointOrigin> Numbered;  // by whom each is
+  std::vector<vtkIdType> UsedGhosts;     // in their order
   Questions Queries;
   SkdRowsByProcess<vtkIdType> QueriedPoints; // -1: the answer is another's
 };

@@ -272,6 +272,29 @@ TEST(JoinedPieces, PointsThatDifferByRounding)
   EXPECT_EQ(joined.Mesh->GetNumberOfPoints(), 12);
 }
 
+// What a piece knows of a point of ghost cells alone is not complete, whether it is marked or not.
+TEST(JoinedPieces, DataOfPointsOfGhostCells)
+{
+  const Mesh whole =
+    Compact(Together({ Hexahedra(1), Transformed(Hexahedra(1), 1.0, { 1.0, 0.0, 0.0 }) }));
+  Pieces pieces;
+  for (const vtkIdType own : { 1, 0 })
+  {
+    const auto piece = MakeGrid(whole);
+    piece->GetPointData()->AddArray(MakeArray("Owner", piece->GetNumberOfPoints(),
+      [&](vtkIdType point) { return point / 8 == own ? double(own) : -1.0; }));
+    piece->AllocateCellGhostArray()->SetValue(1 - own, vtkDataSetAttributes::DUPLICATECELL);
+    pieces.push_back(piece);
+  }
+  const auto mesh = SkdJoinPieces(pieces).Mesh;
+  ASSERT_EQ(mesh->GetNumberOfPoints(), 16);
+  for (vtkIdType point = 0; point < 16; ++point)
+  {
+    const double owner = mesh->GetPointData()->GetArray("Owner")->GetTuple1(point);
+    EXPECT_EQ(owner, point < 8 ? 0.0 : 1.0) << point;
+  }
+}
+
 // What is near is relative to the largest coordinate that counts.
 TEST(JoinedPieces, PointsAtInfinityMergeNoOthers)
 {

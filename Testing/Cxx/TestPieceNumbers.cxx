@@ -71,8 +71,21 @@ void ExpectCells(vtkDataSet* piece, const SkdPieceNumbers& numbers, vtkDataSet* 
   }
 }
 
+constexpr double OfOnePiece = 1e6;
+
+/// Numbers points so that the joined mesh tells where each has its data from.
+void AddOrigins(const Pieces& pieces)
+{
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+  {
+    pieces[piece]->GetPointData()->AddArray(MakeArray("Origin", pieces[piece]->GetNumberOfPoints(),
+      [piece](vtkIdType point) { return OfOnePiece * double(piece) + double(point); }));
+  }
+}
+
 void ExpectNumbersOfJoined(const Pieces& pieces)
 {
+  AddOrigins(pieces);
   const SkdJoinedPieces joined = SkdJoinPieces(pieces);
   const std::vector<SkdPieceNumbers> numbers = NumbersOf(pieces);
   std::set<vtkIdType> found;
@@ -100,6 +113,8 @@ void ExpectNumbersOfJoined(const Pieces& pieces)
       {
         ExpectSamePoint(joined.Mesh, own.PointIds[point],
           pieces[static_cast<std::size_t>(origin.Process)], origin.Point);
+        EXPECT_EQ(joined.Mesh->GetPointData()->GetArray("Origin")->GetTuple1(own.PointIds[point]),
+          OfOnePiece * origin.Process + double(origin.Point));
       }
     }
     ExpectCells(pieces[piece], own, joined.Mesh);

@@ -8,6 +8,8 @@
 #include "Support/MakeOf.h"
 #include "Support/SurfaceMeshes.h"
 
+#include "Search/Rays/SkdSurfaceNormals.h"
+
 #include "vtkCellData.h"
 #include "vtkSMPTools.h"
 #include "vtkSkdTreeRays.h"
@@ -72,6 +74,41 @@ std::vector<double> TryAll(const Mesh& mesh, const Point& start, const Point& di
   }
   std::sort(distances.begin(), distances.end());
   return distances;
+}
+
+// Processes have the cells of a mesh in another order than one alone.
+TEST(Rays, NormalsDoNotDependOnTheOrderOfCells)
+{
+  Random random(4);
+  Mesh torus = TorusTriangles(30, 20);
+  for (Point& x : torus.Points)
+  {
+    x = x + random.InBox({ -0.02, 0.02, -0.02, 0.02, -0.02, 0.02 });
+  }
+  Mesh reversed = torus;
+  std::reverse(reversed.Cells.begin(), reversed.Cells.end());
+  const auto first = skdtree::SkdNormalsOfPoints(MakePolyData(torus));
+  const auto second = skdtree::SkdNormalsOfPoints(MakePolyData(reversed));
+  ASSERT_EQ(first.size(), torus.Points.size());
+  EXPECT_EQ(first, second);
+}
+
+// A point that has nothing but slivers has a normal, too; normals of both sides of a sheet cancel.
+TEST(Rays, NormalsOfSmallAngles)
+{
+  Mesh mesh;
+  mesh.Points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1e-12, 0 } }, { { 1, 2e-12, 1e-12 } } };
+  mesh.Add(VTK_TRIANGLE, { 0, 1, 2 });
+  mesh.Add(VTK_TRIANGLE, { 0, 2, 3 });
+  const skd::Vector3 normal = skdtree::SkdNormalsOfPoints(MakePolyData(mesh))[0];
+  const double slope = std::sqrt(0.5); // of the second triangle, whose angle is larger by sqrt(2)
+  const double length = std::hypot(1.0 + std::sqrt(2.0) * slope, std::sqrt(2.0) * slope);
+  EXPECT_NEAR(normal[1], -std::sqrt(2.0) * slope / length, 1e-12);
+  EXPECT_NEAR(normal[2], (1.0 + std::sqrt(2.0) * slope) / length, 1e-12);
+  mesh.Cells.clear();
+  mesh.Add(VTK_TRIANGLE, { 0, 1, 3 });
+  mesh.Add(VTK_TRIANGLE, { 3, 1, 0 });
+  EXPECT_EQ(skd::Norm(skdtree::SkdNormalsOfPoints(MakePolyData(mesh))[0]), 0.0);
 }
 
 TEST(Rays, HitsAreThoseOfEveryTriangleTried)

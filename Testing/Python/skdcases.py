@@ -23,6 +23,11 @@ def cases_of_one_reader():
         simple.SkdTreeClosestPoint(Input=image, Source=contour), ["SkdDistance"])
     yield "outer surface", Case(
         simple.SkdTreeClosestPoint(Input=cells, Source=outer), ["SkdDistance"])
+    # Normals of pieces are not those of the whole at the ends of their ghost cells.
+    yield "thickness of a contour", Case(
+        simple.SkdTreeWallThickness(Input=contour, Source=image), ["SkdThickness"])
+    yield "rays along normals of a contour", Case(
+        simple.SkdTreeRays(Input=contour, Source=cells), ["SkdRayDistance"])
     yield "itself", Case(simple.SkdTreeProbe(Input=outer, Source=image), ["SkdDistance"])
     yield "image", Case(
         simple.SkdTreeRemap(Input=cells, Source=image, PassInputData=0), ["RTData"])

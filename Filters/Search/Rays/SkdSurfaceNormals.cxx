@@ -9,6 +9,7 @@
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdVolumeCells.h"
 #include "Search/Rays/SkdCurvedFacePoints.h"
+#include "Search/Rays/SkdNormalSums.h"
 #include "Search/Rays/SkdUnitVector.h"
 #include "vtkCellType.h"
 #include "vtkIdList.h"
@@ -19,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace skdtree
 {
@@ -167,8 +169,8 @@ std::vector<Vector3> SkdNormalsOfCells(vtkDataSet* mesh)
 
 namespace
 {
-/// Calls add(point, normal times angle) for all points of those surface cells that `counts` and
-/// that have corners only.
+/// Calls add(point, angle, normal) for all points of those surface cells that `counts` and that
+/// have corners only.
 template <class Counts, class Add>
 void ForEachNormal(vtkDataSet* mesh, const Counts& counts, const Add& add)
 {
@@ -189,45 +191,36 @@ void ForEachNormal(vtkDataSet* mesh, const Counts& counts, const Add& add)
           const Vector3& x = facet[i].Point;
           const double angle =
             AngleBetween(facet[(i + 1) % n].Point - x, facet[(i + n - 1) % n].Point - x);
-          add(facet[i].Id, angle * normal);
+          add(facet[i].Id, angle, normal);
         }
         mesh->GetCellPoints(cell, ids);
         const bool hasMiddles = mesh->GetCellType(cell) == VTK_QUADRATIC_POLYGON;
         for (vtkIdType i = static_cast<vtkIdType>(n); hasMiddles && i < ids->GetNumberOfIds(); ++i)
         {
-          add(ids->GetId(i), vtkMath::Pi() * normal);
+          add(ids->GetId(i), vtkMath::Pi(), normal);
         }
       });
   }
 }
-}
 
-//------------------------------------------------------------------------------
-// In one thread, so that sums do not depend on the number of threads.
-std::vector<Vector3> SkdNormalsOfPoints(vtkDataSet* mesh)
+/// The same of all surface cells, curved ones, too, or the outer faces of a mesh of volume cells.
+template <class Add>
+void ForEachNormalOf(vtkDataSet* mesh, const SkdBlockSurface* outer, const Add& add)
 {
-  std::vector<Vector3> normals(
-    static_cast<std::size_t>(mesh->GetNumberOfPoints()), Vector3{ { 0.0, 0.0, 0.0 } });
-  const auto add = [&](vtkIdType point, const Vector3& normal)
-  {
-    Vector3& sum = normals[static_cast<std::size_t>(point)];
-    sum = sum + normal;
-  };
   const auto isFlat = [mesh](vtkIdType cell)
   {
     const int type = mesh->GetCellType(cell);
     return !SkdIsCurvedCellType(type) || type == VTK_QUADRATIC_POLYGON;
   };
-  if (SkdHasVolumeCells(mesh))
+  if (outer)
   {
-    const SkdBlockSurface outer(mesh, SkdChordalLength({ { mesh, 0 } }, 1.0)); // flat faces count
     ForEachNormal(
-      outer.Get(), [&](vtkIdType face) { return isFlat(outer.GetCellId(face)); },
-      [&](vtkIdType point, const Vector3& normal)
+      outer->Get(), [&](vtkIdType face) { return isFlat(outer->GetCellId(face)); },
+      [&](vtkIdType point, double angle, const Vector3& normal)
       {
-        if (outer.GetPointId(point) >= 0)
+        if (outer->GetPointId(point) >= 0)
         {
-          add(outer.GetPointId(point), normal);
+          add(outer->GetPointId(point), angle, normal);
         }
       });
   }
@@ -239,12 +232,28 @@ std::vector<Vector3> SkdNormalsOfPoints(vtkDataSet* mesh)
   {
     SkdVisitCurvedFacePoints(mesh,
       [&](vtkIdType point, const SkdCurvedFacePoint& facePoint)
-      { add(point, facePoint.Angle * facePoint.Normal); });
+      { add(point, facePoint.Angle, facePoint.Normal); });
   }
-  for (Vector3& normal : normals)
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<Vector3> SkdNormalsOfPoints(vtkDataSet* mesh)
+{
+  std::optional<SkdBlockSurface> outer;
+  if (SkdHasVolumeCells(mesh))
   {
-    normal = SkdUnit(normal);
+    outer.emplace(mesh, SkdChordalLength({ { mesh, 0 } }, 1.0)); // flat faces count
   }
+  const SkdBlockSurface* faces = outer ? &*outer : nullptr;
+  SkdNormalSums sums(mesh->GetNumberOfPoints());
+  ForEachNormalOf(
+    mesh, faces, [&](vtkIdType point, double angle, const Vector3&) { sums.Expect(point, angle); });
+  ForEachNormalOf(mesh, faces,
+    [&](vtkIdType point, double angle, const Vector3& normal) { sums.Add(point, angle, normal); });
+  std::vector<Vector3> normals(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  SkdForEach(normals.size(),
+    [&](std::size_t i) { normals[i] = SkdUnit(sums.Get(static_cast<vtkIdType>(i))); });
   return normals;
 }
 }
