@@ -21,14 +21,34 @@ constexpr double UnitsInTheLastPlace = 4.0;
 
 using Pair = std::pair<vtkIdType, vtkIdType>; // of points, the lower number first
 
-/// Of points that cells are not left out for: a tolerance by one at infinity would make all points
-/// one.
-void AddCoordinates(const skd::Vector3& point, double& largest)
+double MagnitudeOf(const skd::Vector3& point)
 {
-  for (int axis = 0; axis < 3 && SkdIsWithin(point, SkdMeasurable.Largest); ++axis)
+  return std::max({ std::abs(point[0]), std::abs(point[1]), std::abs(point[2]) });
+}
+
+/// The share of points that are low: small, because many may be far away or stand for none.
+constexpr double LowShare = 0.1;
+
+/// The low magnitude of all pieces: that of the one up to which they have this share of the points.
+double LowOf(std::vector<SkdPointMagnitudes>& pieces)
+{
+  std::sort(pieces.begin(), pieces.end(),
+    [](const SkdPointMagnitudes& a, const SkdPointMagnitudes& b) { return a.Low < b.Low; });
+  double all = 0.0;
+  for (const SkdPointMagnitudes& piece : pieces)
   {
-    largest = std::max(largest, std::abs(point[axis]));
+    all += static_cast<double>(piece.Points);
   }
+  double before = 0.0;
+  for (const SkdPointMagnitudes& piece : pieces)
+  {
+    before += static_cast<double>(piece.Points);
+    if (before > LowShare * all)
+    {
+      return piece.Low;
+    }
+  }
+  return 0.0;
 }
 
 // Along a direction in which points of a lattice have different coordinates, so that few other
@@ -44,7 +64,8 @@ bool AreNear(const skd::Vector3& a, const skd::Vector3& b, double tolerance)
     std::abs(a[2] - b[2]) <= tolerance;
 }
 
-std::vector<Pair> FindNearPairs(const std::vector<skd::Vector3>& points, double tolerance)
+std::vector<Pair> FindNearPairs(
+  const std::vector<skd::Vector3>& points, const SkdRounding& rounding)
 {
   std::vector<std::pair<double, vtkIdType>> order;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -55,10 +76,13 @@ std::vector<Pair> FindNearPairs(const std::vector<skd::Vector3>& points, double 
     }
   }
   std::sort(order.begin(), order.end());
-  const double maxDistance = 3.0 * tolerance; // more than the sum of the direction's components
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
+    // Points that are near have nearly the same, and 2.04 is the sum of the direction's components.
+    const double tolerance =
+      rounding.ToleranceAt(points[static_cast<std::size_t>(order[i].second)]);
+    const double maxDistance = 3.0 * tolerance;
     for (std::size_t k = i + 1; k < order.size() && order[k].first - order[i].first <= maxDistance;
          ++k)
     {
@@ -110,41 +134,75 @@ bool SkdIsSingle(vtkDataSet* piece)
   return set && set->GetPoints() && set->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
-double SkdLargestCoordinateOf(vtkDataSet* piece)
+SkdPointMagnitudes SkdMagnitudesOf(vtkDataSet* piece)
 {
-  double largest = 0.0;
+  std::vector<double> all;
   for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
   {
     skd::Vector3 point;
     piece->GetPoint(i, point.X);
-    AddCoordinates(point, largest);
+    if (SkdIsWithin(point, SkdMeasurable.Largest))
+    {
+      all.push_back(MagnitudeOf(point));
+    }
   }
-  return largest;
+  SkdPointMagnitudes magnitudes;
+  if (!all.empty())
+  {
+    const auto low = all.begin() + static_cast<std::ptrdiff_t>(LowShare * double(all.size()));
+    std::nth_element(all.begin(), low, all.end());
+    magnitudes = { static_cast<vtkIdType>(all.size()), *low, *std::max_element(low, all.end()) };
+  }
+  return magnitudes;
 }
 
-double SkdNearTolerance(bool isSingle, double largestCoordinate)
+// Most points of most meshes are farther from the origin than a quarter of the farthest: then what
+// is usual is the largest coordinate.
+SkdRounding::SkdRounding(bool isSingle, std::vector<SkdPointMagnitudes> pieces)
+  : Precision(UnitsInTheLastPlace *
+      (isSingle ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon()))
 {
-  const double precision =
-    isSingle ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
-  return UnitsInTheLastPlace * precision * largestCoordinate;
+  constexpr double mostOfLow = 4.0;
+  for (const SkdPointMagnitudes& piece : pieces)
+  {
+    this->Usual = std::max(this->Usual, piece.Largest);
+  }
+  this->Usual = std::min(this->Usual, mostOfLow * LowOf(pieces));
+}
+
+double SkdRounding::MagnitudeAt(const skd::Vector3& x) const
+{
+  return SkdIsWithin(x, SkdMeasurable.Largest) ? std::max(this->Usual, MagnitudeOf(x))
+                                               : this->Usual;
+}
+
+double SkdRounding::ToleranceAt(const skd::Vector3& x) const
+{
+  return this->Precision * this->MagnitudeAt(x);
+}
+
+double SkdRounding::PowerAt(const skd::Vector3& x) const
+{
+  const double magnitude = this->MagnitudeAt(x);
+  return magnitude > 0.0 ? std::ldexp(this->Precision, std::ilogb(magnitude) + 1) : 0.0;
 }
 
 void SkdMergeNearPoints(const SkdPieces& pieces, const std::vector<skd::Vector3>& points,
   std::vector<std::vector<vtkIdType>>& keys)
 {
-  const bool isSingle = std::any_of(pieces.begin(), pieces.end(), SkdIsSingle);
-  double largest = 0.0;
-  for (const skd::Vector3& point : points)
+  std::vector<SkdPointMagnitudes> magnitudes;
+  for (vtkDataSet* piece : pieces)
   {
-    AddCoordinates(point, largest);
+    magnitudes.push_back(SkdMagnitudesOf(piece));
   }
-  SkdMergeNearPoints(SkdNearTolerance(isSingle, largest), points, keys);
+  const bool isSingle = std::any_of(pieces.begin(), pieces.end(), SkdIsSingle);
+  SkdMergeNearPoints(SkdRounding(isSingle, magnitudes), points, keys);
 }
 
-void SkdMergeNearPoints(double tolerance, const std::vector<skd::Vector3>& points,
+void SkdMergeNearPoints(const SkdRounding& rounding, const std::vector<skd::Vector3>& points,
   std::vector<std::vector<vtkIdType>>& keys)
 {
-  const std::vector<Pair> pairs = FindNearPairs(points, tolerance);
+  const std::vector<Pair> pairs = FindNearPairs(points, rounding);
   if (pairs.empty())
   {
     return;

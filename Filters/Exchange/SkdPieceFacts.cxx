@@ -3,7 +3,6 @@
 #include "Exchange/SkdPieceFacts.h"
 
 #include "Exchange/SkdGridLattice.h"
-#include "Exchange/SkdNearPoints.h"
 #include "Exchange/SkdPieceArrays.h"
 #include "Pipeline/SkdBlocks.h"
 #include "vtkCellData.h"
@@ -30,7 +29,7 @@ SkdPieceFacts FactsOf(vtkDataSet* mesh)
   facts.HasDuplicates = SkdHasDuplicates(mesh);
   facts.IsSingle = SkdIsSingle(mesh);
   facts.IsGrid = SkdIsStructured(mesh);
-  facts.LargestCoordinate = SkdLargestCoordinateOf(mesh);
+  facts.Magnitudes = SkdMagnitudesOf(mesh);
   if (facts.IsGrid)
   {
     facts.Extent = SkdExtentOf(mesh);
@@ -131,15 +130,20 @@ double SkdAllFacts::GetLargestCoordinate() const
   double largest = 0.0;
   for (const int process : this->Full)
   {
-    largest = std::max(largest, this->Of(process).LargestCoordinate);
+    largest = std::max(largest, this->Of(process).Magnitudes.Largest);
   }
   return largest;
 }
 
-double SkdAllFacts::GetNearTolerance() const
+SkdRounding SkdAllFacts::GetRounding() const
 {
   const bool isSingle = !this->AreAll([](const SkdPieceFacts& piece) { return !piece.IsSingle; });
-  return SkdNearTolerance(isSingle, this->GetLargestCoordinate());
+  std::vector<SkdPointMagnitudes> magnitudes;
+  for (const int process : this->Full)
+  {
+    magnitudes.push_back(this->Of(process).Magnitudes);
+  }
+  return { isSingle, magnitudes };
 }
 
 bool SkdAllFacts::AreOfOneGrid() const

@@ -3,6 +3,7 @@
 #ifndef SkdPieceFacts_h
 #define SkdPieceFacts_h
 
+#include "Exchange/SkdNearPoints.h"
 #include "Exchange/SkdTransport.h"
 #include "vtkDataSet.h"
 #include "vtkType.h"
@@ -24,7 +25,7 @@ struct SkdPieceFacts
   bool HasDuplicates = false;
   bool IsSingle = false;
   bool IsGrid = false;
-  double LargestCoordinate = 0.0;
+  SkdPointMagnitudes Magnitudes;
   std::array<int, 6> Extent{};      // of grids
   std::array<double, 15> Lattice{}; // of images: origin, spacing and directions
 };
@@ -58,8 +59,8 @@ public:
   /// The largest magnitude of a coordinate.
   double GetLargestCoordinate() const;
 
-  /// How near points of different pieces are to be one.
-  double GetNearTolerance() const;
+  /// That of points of different pieces that may be one.
+  SkdRounding GetRounding() const;
 
   /// Whether the pieces are parts of one grid, and fill the box that encloses them: see
   /// SkdJoinGrids.

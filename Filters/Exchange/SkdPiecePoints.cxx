@@ -61,7 +61,7 @@ void SkdPiecePoints::FindKeysByGlobalIds()
   double largest = 0.0;
   for (vtkDataSet* piece : this->Pieces)
   {
-    largest = std::max(largest, SkdLargestCoordinateOf(piece));
+    largest = std::max(largest, SkdMagnitudesOf(piece).Largest);
   }
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {

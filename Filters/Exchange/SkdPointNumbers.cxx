@@ -76,7 +76,7 @@ std::size_t FindKeysByGlobalIds(
   return known.size();
 }
 
-std::size_t FindKeysByCoordinates(const Questions& queries, double tolerance, Keys& keys)
+std::size_t FindKeysByCoordinates(const Questions& queries, const SkdRounding& rounding, Keys& keys)
 {
   SkdWeld weld;
   for (std::size_t piece = 0; piece < queries.size(); ++piece)
@@ -86,7 +86,7 @@ std::size_t FindKeysByCoordinates(const Questions& queries, double tolerance, Ke
       keys[piece].push_back(weld.GetId(question.X.X));
     }
   }
-  SkdMergeNearPoints(tolerance, weld.GetPoints(), keys);
+  SkdMergeNearPoints(rounding, weld.GetPoints(), keys);
   return weld.GetPoints().size();
 }
 
@@ -198,13 +198,14 @@ private:
 
 //------------------------------------------------------------------------------
 /// Which process compares points that are near each other: that of a cell of a lattice so coarse
-/// that few points are near two of its cells. These are told to both.
+/// that few points are near two of its cells. These are told to both. Where points are so far from
+/// the origin that rounding is larger than usual, the lattice is, too: by powers of two, so that it
+/// changes at the sides of its cells.
 class PointBins
 {
 public:
-  PointBins(double tolerance, int processes)
-    : Width(tolerance > 0.0 ? WidthInTolerances * tolerance : 1.0)
-    , Margin(MarginInTolerances * tolerance)
+  PointBins(const SkdRounding& rounding, int processes)
+    : Rounding(rounding)
     , Processes(static_cast<std::size_t>(processes))
   {
   }
@@ -213,12 +214,13 @@ public:
   void Find(const skd::Vector3& x, std::vector<std::size_t>& processes) const
   {
     processes.assign(1, this->ProcessOf(x));
+    const double margin = MarginInTolerances * this->Rounding.PowerAt(x);
     for (int corner = 0; corner < 8; ++corner)
     {
       skd::Vector3 near = x;
       for (int axis = 0; axis < 3; ++axis)
       {
-        near[axis] += (corner >> axis) & 1 ? this->Margin : -this->Margin;
+        near[axis] += (corner >> axis) & 1 ? margin : -margin;
       }
       const std::size_t other = this->ProcessOf(near);
       if (std::find(processes.begin(), processes.end(), other) == processes.end())
@@ -235,16 +237,17 @@ private:
 
   std::size_t ProcessOf(const skd::Vector3& x) const
   {
+    const double tolerance = this->Rounding.PowerAt(x);
+    const double width = tolerance > 0.0 ? WidthInTolerances * tolerance : 1.0;
     skd::Vector3 cell;
     for (int axis = 0; axis < 3; ++axis)
     {
-      cell[axis] = std::floor(x[axis] / this->Width) + 0.0; // no -0: its bits differ
+      cell[axis] = std::floor(x[axis] / width) + 0.0; // no -0: its bits differ
     }
     return SkdWeld::HashOf(cell) % this->Processes;
   }
 
-  double Width;
-  double Margin;
+  const SkdRounding& Rounding;
   std::size_t Processes;
 };
 
@@ -267,16 +270,16 @@ public:
   void Number(SkdPieceNumbers& numbers, std::vector<unsigned char>& isShared)
   {
     const bool byIds = this->Facts.HavePointIds();
-    const double tolerance = this->Facts.GetNearTolerance();
+    const SkdRounding rounding = this->Facts.GetRounding();
     SkdRepeatedId repeated;
-    byIds ? this->AskByGlobalIds() : this->AskByCoordinates(tolerance);
+    byIds ? this->AskByGlobalIds() : this->AskByCoordinates(rounding);
     const Answers answers = SkdAsk<PointAnswer>(this->Transport, this->Queries,
       [&](const Questions& queries)
       {
         Keys keys(queries.size());
         const std::size_t number = byIds
           ? FindKeysByGlobalIds(queries, this->Facts.GetLargestCoordinate(), keys, repeated)
-          : FindKeysByCoordinates(queries, tolerance, keys);
+          : FindKeysByCoordinates(queries, rounding, keys);
         return PointDirectory(queries, keys, number).GetAnswers();
       });
     isShared.assign(this->Orders.size(), 0);
@@ -347,23 +350,23 @@ private:
   }
 
   // Points that lie where only this piece is are no other's.
-  void AskByCoordinates(double tolerance)
+  void AskByCoordinates(const SkdRounding& rounding)
   {
     const std::vector<skd::Box3> boxes = SkdBoxesOfPoints(this->Piece);
     const SkdCut cut(this->Transport, boxes);
-    const PointBins bins(tolerance, this->Transport.GetNumber());
-    const double maxDistance = 64.0 * tolerance;
+    const PointBins bins(rounding, this->Transport.GetNumber());
     std::vector<int> owners;
     std::vector<std::size_t> to;
     for (vtkIdType point = 0; point < this->Piece->GetNumberOfPoints(); ++point)
     {
+      const PointQuestion question = this->QuestionOf(point);
+      const double maxDistance = 64.0 * rounding.ToleranceAt(question.X);
       cut.FindOverlapping(boxes[static_cast<std::size_t>(point)].Inflated(maxDistance), owners);
       if (std::all_of(owners.begin(), owners.end(),
             [this](int process) { return process == this->Transport.GetRank(); }))
       {
         continue;
       }
-      const PointQuestion question = this->QuestionOf(point);
       bins.Find(question.X, to);
       for (const std::size_t process : to)
       {

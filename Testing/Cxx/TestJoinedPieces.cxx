@@ -295,19 +295,41 @@ TEST(JoinedPieces, DataOfPointsOfGhostCells)
   }
 }
 
-// What is near is relative to the largest coordinate that counts.
-TEST(JoinedPieces, PointsAtInfinityMergeNoOthers)
+// What is near is relative to usual coordinates.
+TEST(JoinedPieces, PointsFarAwayMergeNoOthers)
 {
   const Mesh left = Transformed(Hexahedra(1), 0.1, { 0.7, 0.3, 0.1 });
   const Mesh right = Transformed(Hexahedra(1), 0.1, { 0.8, 0.3, 0.1 });
   const std::size_t far = right.Points.size() - 1; // left has the first of each pair
-  for (const double x : { std::numeric_limits<double>::infinity(), 1e60, std::nan("") })
+  for (const double x : { std::numeric_limits<double>::infinity(), 1e60, std::nan(""), 1e20 })
   {
     Mesh moved = right;
     moved.Points[far] = { { x, 0.0, 0.0 } };
     const Pieces pieces{ MakeGrid(left), MakeGrid(moved) };
     EXPECT_EQ(SkdJoinPieces(pieces).Mesh->GetNumberOfPoints(), 12) << x;
   }
+}
+
+// Far away it is relative to their own coordinates, near the origin to those of most points.
+TEST(JoinedPieces, PointsThatDifferByTheirOwnRounding)
+{
+  const Mesh cells = Hexahedra(4);
+  const auto numberWith = [&](const Point& a, const Point& b)
+  {
+    Pieces pieces;
+    for (const Point& x : { a, b })
+    {
+      pieces.push_back(MakeGrid(cells));
+      vtkUnstructuredGrid::SafeDownCast(pieces.back())->GetPoints()->SetPoint(0, x.data());
+    }
+    return SkdJoinPieces(pieces).Mesh->GetNumberOfPoints();
+  };
+  const auto number = static_cast<vtkIdType>(cells.Points.size());
+  EXPECT_EQ(
+    numberWith({ { 1e20, 3.0, 0.0 } }, { { std::nextafter(1e20, 0.0), 3.0, 0.0 } }), number);
+  EXPECT_EQ(numberWith({ { 1e20, 3.0, 0.0 } }, { { 1.0001e20, 3.0, 0.0 } }), number + 1);
+  EXPECT_EQ(numberWith({ { 0.0, 0.0, 0.0 } }, { { 0.0, 1e-16, -2e-16 } }), number);
+  EXPECT_EQ(numberWith({ { 0.0, 0.0, 0.0 } }, { { 0.0, 1e-9, 0.0 } }), number + 1);
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <set>
 
@@ -287,21 +288,59 @@ TEST(PieceNumbersNear, PointsThatDifferByRounding)
     SkdJoinPieces(pieces).Mesh->GetNumberOfPoints(), static_cast<vtkIdType>(whole.Points.size()));
 }
 
-// One that does not count makes no others near each other.
-TEST(PieceNumbersNear, PointsBesideOneAtInfinity)
+// One that does not count, or is far away, makes no others near each other.
+TEST(PieceNumbersNear, PointsBesideOneFarAway)
 {
-  Pieces pieces;
-  for (const double shift : { 0.0, 1.0, 2.0 })
+  for (const double x : { 1e60, 1e20 })
   {
-    Mesh part = Transformed(Hexahedra(1), 1.0, { shift, 0.0, 0.0 });
-    if (shift == 2.0)
+    Pieces pieces;
+    for (const double shift : { 0.0, 1.0, 2.0 })
     {
-      part.Points.back() = { { 1e60, 0.0, 0.0 } };
+      Mesh part = Transformed(Hexahedra(1), 1.0, { shift, 0.0, 0.0 });
+      if (shift == 2.0)
+      {
+        part.Points.back() = { { x, 0.0, 0.0 } };
+      }
+      pieces.push_back(MakeGrid(part));
     }
+    ExpectNumbersOfJoined(pieces);
+    EXPECT_EQ(SkdJoinPieces(pieces).Mesh->GetNumberOfPoints(), 16) << x;
+  }
+}
+
+// Some points are many powers of two farther than most.
+TEST(PieceNumbersNear, PointsThatDifferByTheirOwnRounding)
+{
+  Random random(7);
+  Mesh whole = Compact(Tetrahedra(4));
+  for (std::size_t i = 0; i < whole.Points.size(); i += 7)
+  {
+    const double scale = std::ldexp(1.0, static_cast<int>(i));
+    for (double& x : whole.Points[i])
+    {
+      x = scale * random.Between(-1.0, 1.0);
+    }
+  }
+  const std::vector<int> owners = RandomOwners(whole, 4, 9);
+  Pieces pieces;
+  for (int process = 0; process < 4; ++process)
+  {
+    Mesh part = Compact(Part(whole, [&](std::size_t cell) { return owners[cell] == process; }));
+    part.Map(
+      [&](const Point& p)
+      {
+        Point near = p;
+        for (double& x : near)
+        {
+          x = std::nextafter(x, random.Between(-1e50, 1e50));
+        }
+        return near;
+      });
     pieces.push_back(MakeGrid(part));
   }
   ExpectNumbersOfJoined(pieces);
-  EXPECT_EQ(SkdJoinPieces(pieces).Mesh->GetNumberOfPoints(), 16);
+  EXPECT_EQ(
+    SkdJoinPieces(pieces).Mesh->GetNumberOfPoints(), static_cast<vtkIdType>(whole.Points.size()));
 }
 
 //------------------------------------------------------------------------------

@@ -46,6 +46,9 @@ def cases(partition):
         "sphere", partition, radius=3.0, center=(1.234, 0.5, 0.25), theta=20, phi=20)
     cells = skdpieces.source("tetrahedra", partition)
     yield "closest", Case(simple.SkdTreeClosestPoint(Input=image, Source=ball), ["SkdDistance"])
+    yield "closest beside a far point", Case(
+        simple.SkdTreeClosestPoint(Input=image, Source=skdpieces.source("spike", partition)),
+        ["SkdDistance"])
     yield "closest data", Case(
         simple.SkdTreeClosestPoint(Input=image, Source=cells, InterpolateSourceData=1,
             GenerateLines=1), ["SkdDistance", "Field"])

@@ -13,9 +13,9 @@ except ImportError:
 import skdpieces
 
 # Cases whose Source stays in its pieces; the others gather.
-EXCHANGED = {"closest", "closest data", "closest of both", "closest signed", "inside",
-    "inside cells", "inside of blocks", "blocks", "data of blocks", "contour", "outer surface",
-    "rays from outside", "all hits", "hits within a length", "in a mesh", "probe", "intersection",
+EXCHANGED = {"closest", "closest beside a far point", "closest data", "closest of both",
+    "closest signed", "inside", "inside cells", "inside of blocks", "blocks", "data of blocks",
+    "contour", "outer surface", "rays from outside", "all hits", "hits within a length", "in a mesh", "probe", "intersection",
     "overlapping cells", "thickness of cells", "refined", "compared",
     "grid near surfaces"}
 # Cases in which it turns out that pieces do not do.

@@ -45,6 +45,16 @@ def sphere(radius=4.0, center=(0.0, 0.0, 0.0), theta=24, phi=24, has_normals=Tru
     return field.GetOutput()
 
 
+def spike(end=(1e12, 0.0, 0.0)):
+    """A sphere with a triangle that reaches far away."""
+    surface = vtkPolyData()
+    surface.DeepCopy(sphere(has_normals=False))
+    far = surface.GetPoints().InsertNextPoint(*end)
+    surface.GetPolys().InsertNextCell(3, (0, 2, far))
+    surface.GetPointData().Initialize()
+    return surface
+
+
 def tetrahedra(size=4):
     """With the field of ParaView's Wavelet."""
     image = vtkRTAnalyticSource()
