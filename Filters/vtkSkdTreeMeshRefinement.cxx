@@ -5,6 +5,7 @@
 #include "Bodies/SkdSource.h"
 #include "Core/Meshing/Mesh/FindBorder.h"
 #include "Core/Meshing/Mesh/GivenHangingNodes.h"
+#include "Exchange/SkdCountedCells.h"
 #include "Exchange/SkdFilterInputs.h"
 #include "Meshing/Refine/SkdMeshOutput.h"
 #include "Meshing/Refine/SkdMeshRefiner.h"
@@ -36,6 +37,7 @@ class vtkSkdTreeMeshRefinement::Internals
 {
 public:
   SkdSource Surface;
+  SkdCountedCells Counted; // of the Input
 };
 
 namespace
@@ -205,7 +207,8 @@ std::vector<vtkSmartPointer<vtkPointSet>> MakeBlocks(
 
 /// The number of trees that were built, if all processes can read their input.
 std::optional<int> Read(Filter* self, SkdRefineState& state, vtkInformationVector** inputs,
-  const skd::Processes* processes, SkdReadMesh& read)
+  const std::vector<std::vector<unsigned char>>* counted, const skd::Processes* processes,
+  SkdReadMesh& read)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkDataObject* field = vtkDataObject::GetData(inputs[2]);
@@ -214,7 +217,7 @@ std::optional<int> Read(Filter* self, SkdRefineState& state, vtkInformationVecto
   {
     treesBuilt = state.Update(
       self, SkdBlocksOf(vtkDataObject::GetData(inputs[1])), field ? field : input, false);
-    SkdReadBlocks(SkdBlocksOf(input), processes == nullptr, read);
+    SkdReadBlocks(SkdBlocksOf(input), counted, read);
   }
   catch (const std::length_error& error)
   {
@@ -333,11 +336,14 @@ int vtkSkdTreeMeshRefinement::RequestData(
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   output->Initialize();
   const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
+  const auto* counted = processes
+    ? &this->Impl->Counted.Update(input, SkdControllerOf(outputVector->GetInformationObject(0)))
+    : nullptr;
   SkdStopwatch watch;
   SkdReadMesh read;
   this->PassOptions();
   const std::optional<int> treesBuilt =
-    Read(this, *this->State, inputVector, processes.get(), read);
+    Read(this, *this->State, inputVector, counted, processes.get(), read);
   if (!treesBuilt)
   {
     return 1;

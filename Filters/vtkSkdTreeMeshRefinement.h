@@ -60,11 +60,11 @@
  * and criteria on common boundaries of pieces through the global controller until nothing changes.
  * Together the pieces are identical to the result of one process, cell for cell, in coordinates,
  * levels and SkdHanging, for both methods and all options; CellLimit counts the cells of all
- * processes. Pieces must match at points of equal coordinates. Ghost cells are ignored. All
- * processes must update. Reports describe a process's own piece. Without port 2 the field is the
- * piece itself, without adjacent cells of other pieces. Parts, field and surface must not come from
- * the same source as Input, because VTK's pipeline would then request the whole of it for all
- * ports.
+ * processes. Pieces must match at points of equal coordinates. Ghost cells are ignored, and of
+ * cells that several processes have one refines each, the others leave it out. All processes must
+ * update. Reports describe a process's own piece. Without port 2 the field is the piece itself,
+ * without adjacent cells of other pieces. Parts, field and surface must not come from the same
+ * source as Input, because VTK's pipeline would then request the whole of it for all ports.
  *
  * Without any criterion (no Parts, no field arrays, no MinimumLevel) all cells are refined once.
  *

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeRemap.h"
 
+#include "Exchange/SkdCountedCells.h"
 #include "Exchange/SkdJoinedRows.h"
 #include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
@@ -31,6 +33,12 @@ public:
   std::set<std::string> Extensive;
   std::set<std::string> Gradients;
   SkdMeshRemap Remap;
+  SkdCountedCells Counted; // of the Input
+
+  /// Marks the cells of the outputs that this process counts, or no longer.
+  void Mark(vtkDataObject* input, const std::vector<SkdBlock>& outputs,
+    vtkMultiProcessController* controller);
+  static void Unmark(const std::vector<SkdBlock>& outputs);
 
   SkdRemapRequest MakeRequest(const vtkSkdTreeRemap* self) const;
   SkdRemapSettings MakeSettings(const vtkSkdTreeRemap* self) const;
@@ -82,6 +90,24 @@ void Warn(const SkdMeshRemap& remap, const std::string& problem, vtkSkdTreeRemap
 }
 
 //------------------------------------------------------------------------------
+void vtkSkdTreeRemap::Internals::Mark(
+  vtkDataObject* input, const std::vector<SkdBlock>& outputs, vtkMultiProcessController* controller)
+{
+  const std::vector<std::vector<unsigned char>>& counted = this->Counted.Update(input, controller);
+  for (std::size_t block = 0; block < outputs.size(); ++block)
+  {
+    SkdSetOwnCells(outputs[block].Mesh, counted[block]);
+  }
+}
+
+void vtkSkdTreeRemap::Internals::Unmark(const std::vector<SkdBlock>& outputs)
+{
+  for (const SkdBlock& block : outputs)
+  {
+    SkdSetOwnCells(block.Mesh, {});
+  }
+}
+
 SkdRemapSettings vtkSkdTreeRemap::Internals::MakeSettings(const vtkSkdTreeRemap* self) const
 {
   SkdRemapSettings settings;
@@ -228,6 +254,10 @@ int vtkSkdTreeRemap::RequestData(
   {
     request.Written.Name = SkdShare::Of(outputVector).NameOf(this->WeightsFileName);
   }
+  if (processes && (request.IsConservative() || this->Method == AUTOMATIC_METHOD))
+  {
+    this->Impl->Mark(input, outputs, SkdControllerOf(information));
+  }
   SkdRemapPair pair(SkdBlocksOf(vtkDataObject::GetData(inputVector[1])), SkdBlocksOf(input),
     outputs, request, processes.get());
   SkdMeshRemap& remap = this->Impl->Remap;
@@ -244,6 +274,7 @@ int vtkSkdTreeRemap::RequestData(
   Warn(remap, WriteWeights(remap, input, SkdControllerOf(information), processes.get()), this);
   remap.AddReport(watch.Lap(), output);
   pair.Finish();
+  Internals::Unmark(outputs);
   remap.End();
   return 1;
 }

@@ -26,7 +26,8 @@
  * middles of cells) if points are of no cell, and the nearest of them if values are missing. Cells
  * of the Source have the ids of the whole in the weights and overlaps; integrals, what of a curved
  * surface is covered, and the radius of a sphere are summed up over processes, in one order. Counts
- * in the report are of its piece of Input, integrals and coverage of all processes together.
+ * in the report are of its piece of Input, integrals and coverage of all processes together, of
+ * cells of Input that several have once.
  * Results on points that are not interpolated depend on all cells around them: the first process
  * then has all.
  *

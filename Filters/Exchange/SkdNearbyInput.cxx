@@ -339,6 +339,18 @@ void SkdNearbyInput::UpdateBlocks(SkdTransport& transport, vtkDataObject* piece)
   }
 }
 
+std::vector<std::vector<unsigned char>> SkdNearbyInput::FindCounted(
+  SkdTransport& transport, vtkDataObject* piece)
+{
+  this->UpdateBlocks(transport, piece);
+  std::vector<std::vector<unsigned char>> counted;
+  for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(piece))
+  {
+    counted.push_back(this->Blocks.at(leaf.Path)->FindCounted());
+  }
+  return counted;
+}
+
 vtkDataObject* SkdNearbyInput::UpdateOwn(SkdTransport& transport, vtkDataObject* piece)
 {
   SkdStamp newPiece(piece);

@@ -31,6 +31,10 @@ public:
   /// The cells of this process's own piece that count, in the same way.
   vtkDataObject* UpdateOwn(SkdTransport& transport, vtkDataObject* piece);
 
+  /// By block of this process's own piece (SkdBlocksOf), whether it counts each cell.
+  std::vector<std::vector<unsigned char>> FindCounted(
+    SkdTransport& transport, vtkDataObject* piece);
+
   /// Calls visit(block) for each block, in the order of their paths.
   template <class Visit>
   void VisitBlocks(const Visit& visit) const

@@ -41,6 +41,9 @@ public:
   vtkSmartPointer<vtkDataSet> BringThose(
     SkdTransport& transport, const SkdRowsByProcess<vtkIdType>& wanted) const;
 
+  /// Whether each cell of this process's piece counts in it.
+  std::vector<unsigned char> FindCounted() const;
+
   /// The cells of the joined mesh.
   vtkIdType GetNumberOfCells() const { return this->Numbers.NumberOfCells; }
 

@@ -13,6 +13,7 @@
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkNew.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -36,6 +37,20 @@ inline std::vector<unsigned char> SkdOwnCellsOf(vtkDataSet* mesh)
   return own
     ? std::vector<unsigned char>(own->GetPointer(0), own->GetPointer(0) + own->GetNumberOfValues())
     : std::vector<unsigned char>();
+}
+
+/// Makes it so; removes it if the list is empty.
+inline void SkdSetOwnCells(vtkDataSet* mesh, const std::vector<unsigned char>& own)
+{
+  mesh->GetFieldData()->RemoveArray(SkdOwnCellsName);
+  if (!own.empty())
+  {
+    vtkNew<vtkUnsignedCharArray> array;
+    array->SetName(SkdOwnCellsName);
+    array->SetNumberOfValues(static_cast<vtkIdType>(own.size()));
+    std::copy(own.begin(), own.end(), array->GetPointer(0));
+    mesh->GetFieldData()->AddArray(array);
+  }
 }
 
 class SkdJoinedIds

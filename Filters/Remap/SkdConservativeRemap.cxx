@@ -293,7 +293,8 @@ void SkdConservativeRemap::FindClipped(
     {
       const SkdCellRange range = RangeOf(shares, target, shares.Ranges[component]);
       const double clipped = std::clamp(mean, range.Least, range.Greatest);
-      const double covered = mapped.Covered[target];
+      const bool counts = this->Weights.GetTarget().IsCounted(target);
+      const double covered = counts ? mapped.Covered[target] : 0.0;
       lost.Add(covered * (mean - clipped));
       below.Add(covered * (range.Least - clipped));
       above.Add(covered * (range.Greatest - clipped));
@@ -440,20 +441,21 @@ void SkdConservativeRemap::AddDonor(const SkdDonorField& density,
 void SkdConservativeRemap::AddTarget(const SkdDonorField& field, SkdRemappedField& mapped) const
 {
   const std::vector<double>& covered = mapped.Covered;
-  const std::vector<double>& measures = this->Weights.GetTarget().Measures;
+  const SkdOverlapCells& cells = this->Weights.GetTarget();
+  const std::vector<double>& measures = cells.Measures;
   const bool isWhole = this->Rules.Normalization == SkdNormalization::Whole;
   SkdCompensatedSum all, some;
   for (std::size_t i = 0; i < measures.size(); ++i)
   {
-    all.Add(measures[i]);
-    some.Add(this->Weights.GetTarget().OwnMeasureOf(i, covered[i]));
+    all.Add(cells.IsCounted(i) ? measures[i] : 0.0);
+    some.Add(cells.IsCounted(i) ? cells.OwnMeasureOf(i, covered[i]) : 0.0);
   }
   for (std::size_t c = 0; c < mapped.Integrals.size(); ++c)
   {
     SkdCompensatedSum target;
     for (std::size_t i = 0; i < measures.size(); ++i)
     {
-      if (covered[i] > 0.0)
+      if (covered[i] > 0.0 && cells.IsCounted(i))
       {
         const double factor = field.IsExtensive ? 1.0 : isWhole ? measures[i] : covered[i];
         target.Add(factor * mapped.Values[i * mapped.Integrals.size() + c]);
@@ -486,9 +488,13 @@ SkdRemappedField SkdConservativeRemap::MapPoints(const SkdDonorField& field,
       source.Add(part);
       absolute.Add(std::abs(part));
     }
-    for (std::size_t k = 0; k < table.Columns.size(); ++k)
+    for (std::size_t row = 0; row + 1 < table.Rows.size(); ++row)
     {
-      overlap.Add(table.Weights[k] * valueOf(table.Columns[k], c));
+      const std::size_t last = table.Rows[this->Weights.GetTarget().IsCounted(row) ? row + 1 : row];
+      for (std::size_t k = table.Rows[row]; k < last; ++k)
+      {
+        overlap.Add(table.Weights[k] * valueOf(table.Columns[k], c));
+      }
     }
     mapped.Integrals[c].Source = source.Get();
     mapped.Integrals[c].Overlap = overlap.Get();

@@ -15,7 +15,7 @@ bool SkdOverlapCache::IsFor(
     settings.TargetIsLonLat == this->Settings.TargetIsLonLat &&
     settings.Radius == this->Settings.Radius && settings.Facets == this->Settings.Facets &&
     settings.SkipsGhosts == this->Settings.SkipsGhosts && this->Donor.IsSameAs(donor) &&
-    this->Target.IsSameAs(target);
+    this->Target.IsSameAs(target) && this->Weights->GetTarget().Counts == SkdOwnCellsOf(target);
 }
 
 bool SkdOverlapCache::Update(vtkDataSet* donor, vtkDataSet* target,

@@ -94,9 +94,14 @@ struct SkdOverlapCells
   ///@}
   /// Of a donor, the sum of their moments (SkdOverlapTable): nothing of a cell that is all covered.
   std::vector<skd::Vector3> CoveredMoments;
+  /// Of a target that lies in pieces, whether this process counts each cell (SkdOwnCellsOf); empty:
+  /// all count. What covers a donor, and integrals, are of those that do.
+  std::vector<unsigned char> Counts;
   vtkIdType LeftOut = 0;           ///< not finite, empty, ghosts, of another dimension
   std::vector<vtkIdType> TooLarge; ///< polygons larger than a hemisphere, left out as well
   std::vector<vtkIdType> Crossing; ///< polygons that cross themselves
+
+  bool IsCounted(std::size_t cell) const { return this->Counts.empty() || this->Counts[cell]; }
 
   /// How much of a target's cell, by its own measure, is where so much of its overlaps is.
   double OwnMeasureOf(std::size_t cell, double covered) const

@@ -3,6 +3,7 @@
 #include "Remap/SkdOverlapWeights.h"
 
 #include "Cells/Read/SkdForEach.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Remap/SkdOverlapSearch.h"
 #include "Remap/SkdPieceOverlap.h"
 #include "Remap/SkdRemapTolerances.h"
@@ -202,9 +203,12 @@ void FillTable(Entries& found, const SkdOverlapPair& meshes, const SkdOverlapSur
     table.Moments[i] = surface.Moment(entry.Moment);
     table.IsSigned = table.IsSigned || measure < 0.0;
     targets.Covered[row] += measure;
-    donors.Covered[static_cast<std::size_t>(column)] += measure;
-    Vector3& sum = donors.CoveredMoments[static_cast<std::size_t>(column)];
-    sum = sum + table.Moments[i];
+    if (targets.IsCounted(row))
+    {
+      donors.Covered[static_cast<std::size_t>(column)] += measure;
+      Vector3& sum = donors.CoveredMoments[static_cast<std::size_t>(column)];
+      sum = sum + table.Moments[i];
+    }
   }
   BalanceMoments(table, donors);
   std::partial_sum(table.Rows.begin(), table.Rows.end(), table.Rows.begin());
@@ -233,6 +237,7 @@ bool SkdOverlapWeights::Compute(vtkDataSet* donor, vtkDataSet* target,
   SkdLoop ofPairs(algorithm, 0, at(0.2), at(1.0), 8);
   meshes.Donor.Measure(surface, this->Donor);
   meshes.Target.Measure(surface, this->Target);
+  this->Target.Counts = SkdOwnCellsOf(target);
   const SkdOverlapTree donors(meshes.Donor);
   const SkdOverlapTree targets(meshes.Target);
   Entries found;

@@ -4,6 +4,7 @@
 
 #include "Cells/Search/SkdCellTree.h"
 #include "Core/Geometry/Polygons/PlanarPolygon.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Remap/SkdRemapTolerances.h"
 
 #include "vtkCellType.h"
@@ -62,10 +63,12 @@ SkdSideVotes SkdCountSides(vtkDataSet* donor, vtkDataSet* target)
   vtkNew<vtkGenericCell> scratch;
   const vtkIdType cells = target->GetNumberOfCells();
   const vtkIdType step = 1 + cells / MostCells;
+  const std::vector<unsigned char> own = SkdOwnCellsOf(target);
   for (vtkIdType cell = 0; cell < cells; cell += step)
   {
     const FirstTriangle here(target, cell);
-    const double area = 0.5 * Norm(here.Normal);
+    const bool counts = own.empty() || own[static_cast<std::size_t>(cell)];
+    const double area = counts ? 0.5 * Norm(here.Normal) : 0.0;
     if (!(area > 0.0))
     {
       continue;

@@ -158,6 +158,14 @@ def refined_by_criteria():
         for mesh in (surface, bricks) for method in ("Bisection", "Regular")]
 
 
+def refined_in_common():
+    """Several processes have some of the cells, which none marks as ghosts: one refines each."""
+    cells = skdpieces.source("tetrahedra", "cuts, doubled", size=2)
+    ball = skdpieces.source("sphere", "random", theta=12, phi=9)
+    return [refined(mesh, MinimumLevel=3, MaximumLevel=3, CellLimit=limit, Method=method)
+        for mesh, limit in ((cells, 10000), (ball, 2000)) for method in ("Bisection", "Regular")]
+
+
 def grids():
     """Leaves, by each rule and for all criteria."""
     from paraview import simple
@@ -185,7 +193,8 @@ def grids():
 
 
 def all_rows():
-    return grids() + refined_by_placements() + refined_by_criteria() + refined_by_rules()
+    return (grids() + refined_by_placements() + refined_by_criteria() + refined_by_rules()
+        + refined_in_common())
 
 
 def rows_of_two():

@@ -7,9 +7,7 @@
 #include "Cells/Read/SkdMagnitudes.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <set>
 #include <stdexcept>
@@ -226,7 +224,8 @@ void CheckSizes(const std::vector<SkdBlock>& inputs)
 }
 
 //------------------------------------------------------------------------------
-void SkdReadBlocks(const std::vector<SkdBlock>& inputs, bool withDuplicates, SkdReadMesh& read)
+void SkdReadBlocks(const std::vector<SkdBlock>& inputs,
+  const std::vector<std::vector<unsigned char>>* counted, SkdReadMesh& read)
 {
   CheckSizes(inputs);
   SkdWeld weld;
@@ -251,16 +250,16 @@ void SkdReadBlocks(const std::vector<SkdBlock>& inputs, bool withDuplicates, Skd
     read.Blocks.push_back(std::move(block));
   }
   read.NumberOfPointNodes = read.Mesh.NumberOfNodes();
-  for (SkdReadMesh::Block& block : read.Blocks)
+  const std::vector<unsigned char> all;
+  for (std::size_t i = 0; i < read.Blocks.size(); ++i)
   {
+    SkdReadMesh::Block& block = read.Blocks[i];
     block.FirstCell = read.Mesh.NumberOfCells();
     CellAdder adder(read, block);
-    vtkUnsignedCharArray* ghosts = withDuplicates ? nullptr : block.Input.Mesh->GetCellGhostArray();
+    const std::vector<unsigned char>& counts = counted ? (*counted)[i] : all;
     for (vtkIdType cell = 0; cell < block.Input.Mesh->GetNumberOfCells(); ++cell)
     {
-      const bool isDuplicate =
-        ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0;
-      if (!isDuplicate)
+      if (counts.empty() || counts[static_cast<std::size_t>(cell)] != 0)
       {
         adder.Add(cell);
       }

@@ -39,9 +39,11 @@ struct SkdReadMesh
 /// Fills it. Lines, triangles, quads and pixels, polygons, strips (as triangles), tetrahedra,
 /// pyramids, wedges, hexahedra and voxels can be refined. All other cells are Fixed and without
 /// nodes, and so are cells with points that are not finite and volume cells that use a node twice.
-/// Repeated corners of polygons are removed. Without duplicates, ghost cells of other processes are
-/// ignored. Throws std::length_error if there are too many cells or points for 32-bit numbers.
-void SkdReadBlocks(const std::vector<SkdBlock>& inputs, bool withDuplicates, SkdReadMesh& read);
+/// Repeated corners of polygons are removed. `counted` says which cells of each block count, of
+/// blocks that several processes have in pieces; empty lists: all do; nullptr: those of all blocks.
+/// Throws std::length_error if there are too many cells or points for 32-bit numbers.
+void SkdReadBlocks(const std::vector<SkdBlock>& inputs,
+  const std::vector<std::vector<unsigned char>>* counted, SkdReadMesh& read);
 }
 
 #endif
