@@ -281,6 +281,31 @@ TEST(WallThickness, SpheresInABallShareWhatIsNearest)
   EXPECT_EQ(Thickness(filter), values);
 }
 
+// Several processes have the points and cells of a mesh in another order than one alone.
+TEST(WallThickness, OfTiedSpheresDoesNotDependOnIds)
+{
+  const Mesh ball = SphereTriangles(40);
+  Mesh reversed = ball;
+  std::reverse(reversed.Points.begin(), reversed.Points.end());
+  std::reverse(reversed.Cells.begin(), reversed.Cells.end());
+  const auto last = static_cast<vtkIdType>(ball.Points.size()) - 1;
+  for (CellSpec& cell : reversed.Cells)
+  {
+    for (vtkIdType& id : cell.Points)
+    {
+      id = last - id;
+    }
+  }
+  const auto first = Thickness(MakeFilter(MakePolyData(ball), Filter::SPHERES));
+  auto second = Thickness(MakeFilter(MakePolyData(reversed), Filter::SPHERES));
+  std::reverse(second.begin(), second.end());
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    ASSERT_NEAR(first[i], second[i], 1e-12) << i;
+  }
+}
+
 // Bezier cells have control points, which are not on the surface: places on it stand for them.
 TEST(WallThickness, OfRationalSurfacesIsThatOfTheTrueOnes)
 {

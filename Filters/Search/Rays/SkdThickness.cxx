@@ -94,14 +94,13 @@ std::vector<SkdThickness> SkdThicknessMeasure::Measure(
       const auto number = static_cast<std::size_t>(end - begin);
       this->ListRays(points, inward, begin, end, starts, rays);
       this->Caster.FindFirstOf(starts, rays, 0, static_cast<vtkIdType>(starts.size()), hits);
-      const bool areTied = this->Rule.AreSpheres && this->AreTied(starts, rays, hits);
       SkdForEach(
         number,
         [&](std::size_t i)
         {
           const std::size_t first = i * each;
           answers[static_cast<std::size_t>(begin) + i] = this->Rule.AreSpheres
-            ? this->Shrink(starts[first], rays[first], hits[first], areTied)
+            ? this->Shrink(starts[first], rays[first], hits[first])
             : this->FindMedian(&starts[first], &rays[first], &hits[first]);
         },
         64);
@@ -142,29 +141,9 @@ SkdThickness SkdThicknessMeasure::FindMedian(
   return { distance, starts[i] + distance * rays[i], ends[i].CellId, ends[i].Block };
 }
 
-/// Whether many of the spheres that rays bound have much of the surface about equally near to their
-/// centres. A few are tried.
-bool SkdThicknessMeasure::AreTied(const SkdRayCaster::Vectors& starts,
-  const SkdRayCaster::Vectors& rays, const std::vector<SkdRayHit>& hits) const
-{
-  constexpr std::size_t step = 61;
-  std::size_t tried = 0;
-  std::size_t tied = 0;
-  for (std::size_t i = 0; i < hits.size(); i += step)
-  {
-    if (hits[i].Block >= 0)
-    {
-      const double radius = hits[i].Distance / 2.0;
-      tied += this->Nearest.AreMany(starts[i] + radius * rays[i], radius) ? 1 : 0;
-      ++tried;
-    }
-  }
-  return 4 * tied > tried;
-}
-
 /// Any point of the surface that is inside a sphere bounds it: the first is where the normal hits.
 SkdThickness SkdThicknessMeasure::Shrink(
-  const Vector3& point, const Vector3& inward, const SkdRayHit& first, bool areTied) const
+  const Vector3& point, const Vector3& inward, const SkdRayHit& first) const
 {
   constexpr int most = 100; // each step but the last few halves the sphere, or more
   SkdThickness thickness;
@@ -180,6 +159,7 @@ SkdThickness SkdThicknessMeasure::Shrink(
     radius = bound.Distance / 2.0;
     thickness = { bound.Distance, point + bound.Distance * inward, bound.CellId, bound.Block };
   }
+  const bool areTied = bound.Block >= 0 && this->Nearest.AreMany(point + radius * inward, radius);
   for (int i = 0; i < most; ++i)
   {
     const Vector3 centre = point + radius * inward;

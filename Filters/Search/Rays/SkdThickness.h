@@ -65,10 +65,8 @@ private:
     const SkdRayHit& first, const skd::Vector3& start, const skd::Vector3& ray) const;
   SkdThickness FindMedian(
     const skd::Vector3* starts, const skd::Vector3* rays, const SkdRayHit* hits) const;
-  bool AreTied(const SkdRayCaster::Vectors& starts, const SkdRayCaster::Vectors& rays,
-    const std::vector<SkdRayHit>& hits) const;
-  SkdThickness Shrink(const skd::Vector3& point, const skd::Vector3& inward, const SkdRayHit& first,
-    bool areTied) const;
+  SkdThickness Shrink(
+    const skd::Vector3& point, const skd::Vector3& inward, const SkdRayHit& first) const;
 
   const SkdTiedNearest& Nearest;
   const SkdRayCaster& Caster;

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Search/Rays/SkdTiedNearest.h"
 
+#include "Bodies/SkdWeld.h"
+#include "Cells/Read/SkdCellReader.h"
 #include "vtkBoundingBox.h"
 #include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace skdtree
 {
@@ -19,16 +24,37 @@ constexpr double ManyCells = 2048.0; // cost more than the sample, many times
 constexpr double ManyShare = 0.25;
 constexpr double Samples = 128.0;
 constexpr int SpacingExponent = -10; // of the lattice, relative to the radius
+constexpr double Offset[3] = { 0.3183098861837907, 0.1961524227066320, 0.4142135623730951 };
 
-/// Calls visit(id) for some of n numbers: about as many as `Samples` of a whole.
-template <class Visit>
-void ForSome(vtkIdType n, double whole, const Visit& visit)
+/// Whether a point is a sample: of a number of points about as many are as `Samples`. Not by ids,
+/// which depend on how many processes have the mesh.
+bool IsSample(const Vector3& x, double number)
 {
-  const double step = std::max(1.0, whole / Samples);
-  for (double next = 0.5 * step; next < static_cast<double>(n); next += step)
-  {
-    visit(static_cast<vtkIdType>(next));
-  }
+  constexpr double range = 1048576.0;                            // of so many bits of the hash
+  const Vector3 point{ { x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 } }; // no -0: its bits differ
+  const auto hash = static_cast<double>(SkdWeld::HashOf(point) % static_cast<std::size_t>(range));
+  return skd::IsFinite(x) && hash * number < Samples * range;
+}
+
+/// Those of the cells that begin with a sample.
+void AddDiagonals2(
+  vtkDataSet* mesh, const std::vector<unsigned char>& areSamples, std::vector<double>& diagonals2)
+{
+  const SkdCellReader reader(mesh);
+  vtkNew<vtkIdList> list;
+  reader.VisitCells(0, mesh->GetNumberOfCells(), list,
+    [&](vtkIdType cell, const auto* ids, std::size_t size)
+    {
+      if (size == 0 || !areSamples[static_cast<std::size_t>(ids[0])])
+      {
+        return;
+      }
+      double bounds[6];
+      mesh->GetCellBounds(cell, bounds);
+      const vtkBoundingBox box(bounds);
+      const double diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
+      diagonals2.push_back(std::isfinite(diagonal) ? diagonal * diagonal : 0.0);
+    });
 }
 }
 
@@ -48,31 +74,27 @@ SkdTiedNearest::SkdTiedNearest(const SkdSourceTrees& trees, int blocks)
     return;
   }
   this->Share = std::max(ManyShare, ManyCells / cells);
-  double diagonals = 0.0;
+  std::vector<double> diagonals2;
   for (int block = 0; block < blocks; ++block)
   {
     vtkDataSet* mesh = trees.GetMesh(block);
-    ForSome(mesh->GetNumberOfPoints(), points,
-      [&](vtkIdType id)
+    std::vector<unsigned char> areSamples(static_cast<std::size_t>(mesh->GetNumberOfPoints()), 0);
+    for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
+    {
+      Vector3 x;
+      mesh->GetPoint(id, x.X);
+      if (IsSample(x, points))
       {
-        Vector3 x;
-        mesh->GetPoint(id, x.X);
-        if (skd::IsFinite(x))
-        {
-          this->Sample.push_back(x);
-        }
-      });
-    ForSome(mesh->GetNumberOfCells(), cells,
-      [&](vtkIdType id)
-      {
-        double bounds[6];
-        mesh->GetCellBounds(id, bounds);
-        const vtkBoundingBox box(bounds);
-        const double diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
-        diagonals += std::isfinite(diagonal) ? diagonal * diagonal : 0.0;
-      });
+        areSamples[static_cast<std::size_t>(id)] = 1;
+        this->Sample.push_back(x);
+      }
+    }
+    AddDiagonals2(mesh, areSamples, diagonals2);
   }
-  this->BoxSize = 2.0 * std::sqrt(diagonals / Samples); // 2 by 2 quads of two triangles
+  std::sort(diagonals2.begin(), diagonals2.end()); // or the sum would depend on ids
+  const double sum = std::accumulate(diagonals2.begin(), diagonals2.end(), 0.0);
+  const auto number = static_cast<double>(std::max<std::size_t>(diagonals2.size(), 1));
+  this->BoxSize = 2.0 * std::sqrt(sum / number); // 2 by 2 quads of two triangles
 }
 
 std::optional<SkdNearest> SkdTiedNearest::Find(const Vector3& centre, double radius) const
@@ -110,6 +132,8 @@ bool SkdTiedNearest::AreMany(const Vector3& centre, double radius) const
   return static_cast<double>(number) > this->Share * static_cast<double>(this->Sample.size());
 }
 
+// The lattice's points have no coordinates that surfaces are symmetric about: of several points
+// that are equally near, ids would decide.
 SkdNearest SkdTiedNearest::FindShared(const Vector3& centre, double radius) const
 {
   const int exponent = std::ilogb(radius) + SpacingExponent;
@@ -117,9 +141,9 @@ SkdNearest SkdTiedNearest::FindShared(const Vector3& centre, double radius) cons
   Vector3 x;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double count = std::round(std::ldexp(centre[axis], -exponent));
+    const double count = std::round(std::ldexp(centre[axis], -exponent) - Offset[axis]);
     key[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(count);
-    x[axis] = std::ldexp(count, exponent);
+    x[axis] = std::ldexp(count + Offset[axis], exponent);
   }
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);

@@ -23,7 +23,7 @@ namespace skdtree
 /// most a thousandth of the radius away along each axis, stands for it: centres that are so close
 /// together share one query. That point is farther than the nearest one by at most twice the
 /// distance of centre and lattice point. Elsewhere queries are exact. Answers do not depend on the
-/// order of queries, or on threads.
+/// order of queries, points or cells, or on threads.
 class SkdTiedNearest
 {
 public:
