@@ -430,11 +430,6 @@ vtkIdType vtkSkdTreeCellLocator::FindCellBorders(
   parameters->SetNumberOfComponents(1);
   parameters->Reset();
   const skd::Segment<3> segment = this->Impl->ToTree(p1, p2);
-  if (!skd::SegmentView(segment).IsValid())
-  {
-    return 0;
-  }
-  borders.insert(borders.end(), { 0.0, 1.0 });
   const SkdCellSource source{ this->DataSet };
   this->GetTree().FindBorders(segment, tolerance, source, borders);
   std::sort(borders.begin(), borders.end());

@@ -4,7 +4,6 @@
 
 #include "Cells/Search/SkdLocatorState.h"
 #include "Cells/Search/SkdVisitCandidates.h"
-#include "Core/Geometry/Simplices/SimplexDistance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +92,6 @@ double SkdParts::FindDistance(const skd::Vector3& x, double limit) const
 
 bool SkdParts::AreWithin(const skd::SimplexSet& set, double maxDistance) const
 {
-  thread_local skd::SimplexSet cellSet; // keeps its memory
   const skd::CandidateLanes all = skd::AllCandidates().front();
   const double maxDistance2 = maxDistance * maxDistance;
   bool isFound = false;
@@ -103,13 +101,7 @@ bool SkdParts::AreWithin(const skd::SimplexSet& set, double maxDistance) const
     const SkdCellSource source = this->GetSource(part);
     tree.VisitCandidates({ &all, &all + 1 }, set.Bounds.Inflated(maxDistance),
       [&](std::uint32_t cell)
-      {
-        if (!isFound && skd::MinDistance2(tree.SafetyBoxOf(cell), set.Bounds) <= maxDistance2)
-        {
-          tree.GetSimplices(cell, source, cellSet);
-          isFound = skd::MinDistance2(cellSet, set, maxDistance2) <= maxDistance2;
-        }
-      });
+      { isFound = isFound || tree.IsWithin(cell, source, set, maxDistance2); });
   }
   return isFound;
 }

@@ -9,6 +9,7 @@
 #include "Core/Geometry/Predicates/ExactScale.h"
 #include "Core/Geometry/Rows.h"
 #include "Core/Search/Queries/OverlappingPairs.h"
+#include "Core/Search/Tree/LazyTree.h"
 #include "Core/Search/Tree/WalkPairs.h"
 
 #include <algorithm>

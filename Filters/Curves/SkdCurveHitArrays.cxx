@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdCurveHitArrays.h"
 
-#include "Core/Curves/CurveSpans.h"
+#include "Curves/SkdCurveSpans.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
@@ -155,7 +155,7 @@ private:
     {
       return;
     }
-    skd::VisitSpans(this->Curves.GetPiece(piece, skd::Vector3{}).Restricted(from, to), this->Delta,
+    SkdVisitSpans(this->Curves.GetPiece(piece, skd::Vector3{}).Restricted(from, to), this->Delta,
       [&](const skd::BezierCurve& part, const skd::Interval&)
       { this->Ids.push_back(this->Points->InsertNextPoint(part.End().X)); });
   }

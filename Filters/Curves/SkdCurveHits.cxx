@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdCurveHits.h"
 
+#include "Core/Curves/CurvePairSolver.h"
+#include "Core/Curves/NearestOnCurves.h"
 #include "Curves/SkdCurveHitGroups.h"
+#include "Curves/SkdVisitCurves.h"
 #include "Pipeline/SkdLoop.h"
 #include "vtkSMPThreadLocal.h"
 
@@ -32,6 +35,19 @@ void ForgetBeyondEnds(const SkdCurveSpan& first, const SkdCurveSpan& second,
   }
 }
 }
+
+//------------------------------------------------------------------------------
+struct SkdCurveHitFinder::Worker
+{
+  skd::CurvePairSolver Solver;
+  skd::NearestOnCurves Nearest;
+  std::vector<SkdCurveHit> Hits;
+  std::vector<SkdCurveHit> Near;
+  std::vector<SkdCurveInterval> Intervals;
+  std::vector<SkdCurveCandidate> Candidates;
+
+  void TakeFrom(const Worker& other);
+};
 
 //------------------------------------------------------------------------------
 SkdCurveHitFinder::SkdCurveHitFinder(

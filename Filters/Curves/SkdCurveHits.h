@@ -8,10 +8,15 @@
 #ifndef SkdCurveHits_h
 #define SkdCurveHits_h
 
-#include "Core/Curves/CurvePairSolver.h"
-#include "Core/Curves/NearestOnCurves.h"
 #include "Curves/SkdCurveHit.h"
 #include "Curves/SkdCurveTree.h"
+
+#include <vector>
+
+namespace skd
+{
+struct CurvePairHit;
+}
 
 namespace skdtree
 {
@@ -61,17 +66,7 @@ public:
   double GetRounding() const { return this->Rounding; }
 
 private:
-  struct Worker
-  {
-    skd::CurvePairSolver Solver;
-    skd::NearestOnCurves Nearest;
-    std::vector<SkdCurveHit> Hits;
-    std::vector<SkdCurveHit> Near;
-    std::vector<SkdCurveInterval> Intervals;
-    std::vector<SkdCurveCandidate> Candidates;
-
-    void TakeFrom(const Worker& other);
-  };
+  struct Worker; ///< of a thread
 
   bool IsSelf() const { return &this->First == &this->Second; }
   void FindOnSpan(std::size_t span, Worker& worker) const;

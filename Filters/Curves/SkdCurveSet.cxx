@@ -3,8 +3,8 @@
 #include "Curves/SkdCurveSet.h"
 
 #include "Cells/Curved/SkdBezierCell.h"
+#include "Core/Curves/ArcLength.h"
 #include "Core/Curves/BernsteinBasis.h"
-#include "Core/Curves/CurveSpans.h"
 #include "Pipeline/SkdReport.h"
 #include "vtkCardinalSpline.h"
 #include "vtkCell.h"

@@ -10,9 +10,7 @@
 #define SkdCurveTree_h
 
 #include "Core/Geometry/Segment.h"
-#include "Core/Search/Queries/WithinBox.h"
 #include "Core/Search/Tree/Tree.h"
-#include "Core/Search/Tree/Walk.h"
 #include "Curves/SkdCurveSet.h"
 #include "Pipeline/SkdBlockSnapshots.h"
 
@@ -58,18 +56,10 @@ public:
   /// The box of the span's control points.
   const skd::Box3& GetBox(std::size_t span) const { return this->Boxes[span]; }
 
-  /// visit(number of span) for all whose safety boxes meet the box. Thread-safe.
+  /// visit(number of span) for all whose safety boxes meet the box. Thread-safe. SkdVisitCurves.h
+  /// has it.
   template <class Visit>
-  void VisitWithin(const skd::Box3& box, Visit visit) const
-  {
-    auto visitor = [&](std::uint32_t span)
-    {
-      visit(static_cast<std::size_t>(span));
-      return true;
-    };
-    skd::WithinBox<3, decltype(visitor)> query(this->Tree.GetFrame(), box, visitor);
-    skd::Walk(this->Tree, query);
-  }
+  void VisitWithin(const skd::Box3& box, Visit visit) const;
 
   double GetAbsoluteEpsilon() const { return this->AbsoluteEpsilon; }
 

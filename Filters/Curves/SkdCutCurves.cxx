@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdCutCurves.h"
 
-#include "Core/Curves/CurveSpans.h"
+#include "Curves/SkdCurveSpans.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -135,7 +135,7 @@ private:
       return;
     }
     const skd::BezierCurve whole = this->Task.Curves.GetPiece(piece, {});
-    skd::VisitSpans(whole.Restricted(from, to), this->Task.Delta,
+    SkdVisitSpans(whole.Restricted(from, to), this->Task.Delta,
       [&](const skd::BezierCurve& part, const skd::Interval& range)
       { this->AddPoint(piece, from + range.Max * (to - from), part.End()); });
   }

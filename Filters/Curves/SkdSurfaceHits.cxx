@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdSurfaceHits.h"
 
-#include "Core/Curves/CurveSpans.h"
 #include "Core/Geometry/Intersection/SegmentFacet.h"
+#include "Curves/SkdCurveSpans.h"
 #include "Curves/SkdIntersectionGroups.h"
 #include "Curves/SkdIntersectionJoints.h"
+#include "Curves/SkdVisitSurfaces.h"
 #include "Pipeline/SkdLoop.h"
 #include "vtkSMPThreadLocal.h"
 
@@ -73,7 +74,7 @@ void SkdSurfaceHitFinder::FindOnPiece(
     return;
   }
   const skd::Vector3 origin = whole.Start();
-  skd::VisitSpans(this->Curves.GetPiece(piece, origin), this->Delta,
+  SkdVisitSpans(this->Curves.GetPiece(piece, origin), this->Delta,
     [&](const skd::BezierCurve& part, const skd::Interval& range)
     {
       const skd::Box3 bounds = part.Bounds().Inflated(this->Rounding);

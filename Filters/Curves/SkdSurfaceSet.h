@@ -10,10 +10,8 @@
 #define SkdSurfaceSet_h
 
 #include "Core/Curves/BezierPatch.h"
-#include "Core/Search/Queries/AlongSegment.h"
-#include "Core/Search/Queries/WithinBox.h"
+#include "Core/Geometry/Segment.h"
 #include "Core/Search/Tree/Tree.h"
-#include "Core/Search/Tree/Walk.h"
 #include "Curves/SkdSurfaceReader.h"
 #include "Pipeline/SkdBlockSnapshots.h"
 #include "Pipeline/SkdBlocks.h"
@@ -47,28 +45,11 @@ public:
 
   ///@{
   /// visit(number of element) for all whose safety boxes meet the segment, or the box. Thread-safe.
+  /// SkdVisitSurfaces.h has them.
   template <class Visit>
-  void VisitAlong(const skd::Segment<3>& segment, Visit visit) const
-  {
-    auto visitor = [&](std::uint32_t element)
-    {
-      visit(element);
-      return 1.0;
-    };
-    skd::AlongSegment<3, decltype(visitor)> query(this->Tree.GetFrame(), segment, 0.0, visitor);
-    skd::Walk(this->Tree, query);
-  }
+  void VisitAlong(const skd::Segment<3>& segment, Visit visit) const;
   template <class Visit>
-  void VisitWithin(const skd::Box3& box, Visit visit) const
-  {
-    auto visitor = [&](std::uint32_t element)
-    {
-      visit(element);
-      return true;
-    };
-    skd::WithinBox<3, decltype(visitor)> query(this->Tree.GetFrame(), box, visitor);
-    skd::Walk(this->Tree, query);
-  }
+  void VisitWithin(const skd::Box3& box, Visit visit) const;
   ///@}
 
   const skd::Box3& GetBounds() const { return this->Bounds; }

@@ -3,7 +3,7 @@
 #include "Pipeline/SkdJoinedShape.h"
 
 #include "Cells/Read/SkdCellReader.h"
-#include "Core/Geometry/Polygons/PlanarPolygon.h"
+#include "Core/Geometry/Polygons/PolygonPlane.h"
 #include "vtkFieldData.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdContainedFields.h"
 
+#include "Remap/SkdNearestSamples.h"
 #include "vtkMath.h"
 
 namespace skdtree

@@ -18,6 +18,7 @@
 #include "Remap/SkdTargetCells.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace skdtree
 {
@@ -43,7 +44,8 @@ public:
   /// The points that a loaded cell holds, ascending. Thread-safe.
   void FindContained(const SkdTargetCells::Cell& cell, std::vector<std::uint32_t>& points) const;
 
-  /// The points with isWanted(i) that an empty cell takes, ascending. Thread-safe.
+  /// The points with isWanted(i) that an empty cell takes, ascending. Thread-safe. Include
+  /// SkdNearestSamples.h to call it.
   template <class Wanted>
   void FindSubstitutes(const SkdTargetCells::Cell& cell, SkdEmptyCells empty,
     const Wanted& isWanted, std::vector<std::uint32_t>& points) const;

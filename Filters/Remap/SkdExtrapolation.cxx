@@ -3,6 +3,7 @@
 #include "Remap/SkdExtrapolation.h"
 
 #include "Cells/Read/SkdForEach.h"
+#include "Remap/SkdNearestSamples.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "Cells/Read/SkdMagnitudes.h"
 #include "Cells/Search/SkdBuildTree.h"
 #include "Core/Search/Queries/WithinBox.h"
+#include "Core/Search/Tree/Walk.h"
 
 #include <utility>
 

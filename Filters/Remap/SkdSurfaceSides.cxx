@@ -3,7 +3,7 @@
 #include "Remap/SkdSurfaceSides.h"
 
 #include "Cells/Search/SkdCellTree.h"
-#include "Core/Geometry/Polygons/PlanarPolygon.h"
+#include "Core/Geometry/Polygons/PolygonPlane.h"
 #include "Pipeline/SkdJoinedIds.h"
 #include "Remap/SkdRemapTolerances.h"
 

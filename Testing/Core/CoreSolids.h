@@ -7,7 +7,8 @@
 
 #include "CoreScenes.h"
 
-#include "Core/Geometry/Cells/Polyhedron.h"
+#include "Core/Geometry/Cells/PolyhedronView.h"
+#include "Core/Geometry/Distance/Distance.h"
 
 #include <numeric>
 

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of the core share: the dimensions, trees of both kinds with capacities and loops
-/// that take turns, and what is expected of the elements that a walk reached.
+/// What tests of trees share: trees of both kinds with capacities and loops that take turns, and
+/// the elements that a walk of one reaches.
 #ifndef coretest_CoreSupport_h
 #define coretest_CoreSupport_h
 
-#include "CoreScenes.h"
+#include "CoreAnswers.h"
+#include "CoreDimensions.h"
 
 #include "Core/Geometry/Distance/Distance.h"
 #include "Core/Search/Tree/BuildLazyTree.h"
@@ -15,34 +16,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <iterator>
+#include <atomic>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace coretest
 {
-
-template <int D>
-struct Dimension
-{
-  static constexpr int Value = D;
-};
-
-#ifdef SKD_TEST_FEWER_KINDS
-using Dimensions = ::testing::Types<Dimension<3>>;
-#else
-using Dimensions = ::testing::Types<Dimension<2>, Dimension<3>, Dimension<6>>;
-#endif
-
-struct DimensionNames
-{
-  template <class Type>
-  static std::string GetName(int)
-  {
-    return "D" + std::to_string(Type::Value);
-  }
-};
 
 /// From the last to the first.
 struct ReversedLoop
@@ -82,13 +62,6 @@ struct ThreadedLoop
     }
   }
 };
-
-/// The numbers of elements at which the shape of a tree of eights changes, and a larger one.
-inline const std::vector<std::size_t>& Counts()
-{
-  static const std::vector<std::size_t> counts{ 0, 1, 2, 7, 8, 9, 63, 64, 65, 513, 5000 };
-  return counts;
-}
 
 template <int D>
 skd::TreeInput<D> InputOf(const Boxes<D>& boxes, int capacity, double epsilon = 0.0)
@@ -135,44 +108,6 @@ template <int D>
 double FloatError(const skd::Frame<D>& frame, double extent = 0.0)
 {
   return std::ldexp(1.0 / frame.Scale + extent, -20);
-}
-
-using Ids = std::vector<std::uint32_t>;
-
-/// The elements of a scene for which `isWanted(box)`.
-template <int D, class Predicate>
-Ids Select(const Boxes<D>& boxes, Predicate isWanted)
-{
-  Ids ids;
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-  {
-    if (isWanted(boxes[i]))
-    {
-      ids.push_back(static_cast<std::uint32_t>(i));
-    }
-  }
-  return ids;
-}
-
-inline Ids Sorted(Ids ids)
-{
-  std::sort(ids.begin(), ids.end());
-  return ids;
-}
-
-/// Each once at most, every one of `must`, and none that is not in `may`.
-inline void ExpectVisited(const Ids& visited, const Ids& must, const Ids& may)
-{
-  const Ids got = Sorted(visited);
-  EXPECT_TRUE(std::adjacent_find(got.begin(), got.end()) == got.end()) << "reached twice";
-  Ids missed;
-  std::set_difference(must.begin(), must.end(), got.begin(), got.end(), std::back_inserter(missed));
-  EXPECT_TRUE(missed.empty()) << missed.size() << " of " << must.size()
-                              << " missed, one of them: " << missed.front();
-  Ids needless;
-  std::set_difference(got.begin(), got.end(), may.begin(), may.end(), std::back_inserter(needless));
-  EXPECT_TRUE(needless.empty()) << needless.size() << " of " << got.size()
-                                << " reached needlessly, one of them: " << needless.front();
 }
 
 /// Elements that a query reaches. `make(visitor)` gives the query; the visitor returns `answer`
@@ -225,8 +160,7 @@ private:
   prefix template class skd::Tree<D>;                                                              \
   prefix template class skd::LazyTree<D>;                                                          \
   prefix template skd::Tree<D> skd::BuildTree<D>(skd::TreeInput<D> &&);                            \
-  prefix template skd::LazyTree<D> skd::BuildLazyTree<D>(skd::TreeInput<D> &&);                    \
-  prefix template std::vector<coretest::Scene<D>> coretest::AllScenes<D>(std::size_t, bool)
+  prefix template skd::LazyTree<D> skd::BuildLazyTree<D>(skd::TreeInput<D> &&)
 
 CORETEST_INSTANTIATE_TREES(extern, 3);
 #ifndef SKD_TEST_FEWER_KINDS

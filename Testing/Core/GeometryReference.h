@@ -7,36 +7,14 @@
 #define coretest_GeometryReference_h
 
 #include "Core/Geometry/Cells/ClosestPointInCell.h"
+#include "Dice.h"
 
-#include <random>
 #include <vector>
 
 namespace coretest
 {
 
 using Real = long double;
-
-/// Random numbers from a fixed seed.
-struct Dice
-{
-  std::mt19937_64 Engine;
-
-  explicit Dice(unsigned seed)
-    : Engine(seed)
-  {
-  }
-
-  double Between(double min, double max)
-  {
-    return min + (max - min) * (static_cast<double>(this->Engine() >> 11) * 0x1p-53);
-  }
-  int Below(int count) { return static_cast<int>(this->Engine() % count); }
-  skd::Vector3 Point(double maxDistance)
-  {
-    return { { this->Between(-maxDistance, maxDistance), this->Between(-maxDistance, maxDistance),
-      this->Between(-maxDistance, maxDistance) } };
-  }
-};
 
 /// The distance of x from the patch's point (r, s).
 inline Real PatchDistance(const skd::Vector3* p, const skd::Vector3& x, Real r, Real s)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CoreSupport.h"
+#include "CoreDimensions.h"
 
 using namespace coretest;
 

@@ -3,12 +3,11 @@
 // A few boxes that contain many: each of the given in one of them, no more than asked for, and
 // tight where the given lie in groups.
 
-#include "CoreSupport.h"
-
 #include "Core/Search/Tree/CoverByBoxes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CoreSupport.h"
+#include "Core/Search/Tree/Frame.h"
+#include "CoreDimensions.h"
 
 using namespace coretest;
 

@@ -7,7 +7,7 @@
 #include "Core/Geometry/Overlap/LonLatOverlap.h"
 #include "Core/Geometry/Overlap/SegmentOverlap.h"
 #include "CoreSolids.h"
-#include "GeometryReference.h"
+#include "Dice.h"
 
 #include <gtest/gtest.h>
 

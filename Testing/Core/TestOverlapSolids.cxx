@@ -4,7 +4,7 @@
 
 #include "Core/Geometry/Overlap/SolidOverlap.h"
 #include "CoreSolids.h"
-#include "GeometryReference.h"
+#include "Dice.h"
 
 #include <gtest/gtest.h>
 

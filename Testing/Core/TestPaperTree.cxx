@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Search/Tree/PaperTree.h"
-#include "CoreSupport.h"
+#include "CoreAnswers.h"
+#include "CoreDimensions.h"
 
 using namespace coretest;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Geometry/Segment.h"
-#include "CoreSupport.h"
+#include "CoreDimensions.h"
 
 using namespace coretest;
 

@@ -5,6 +5,7 @@
 Prints "file:line: what is wrong" and returns 1 where the tree departs from the plan:
 - an include that the table of folders does not allow,
 - a circle of includes (a header and the sources of the same name count as one),
+- an include by which too many objects depend on a kernel, a query or a builder of trees,
 - a file or a function that is too long,
 - a declaration outside of all namespaces that is not named as VTK's classes are,
 - a type that two headers define by the same name,
@@ -33,10 +34,10 @@ PLAN = pathlib.Path(__file__).resolve().parent / "plan.txt"
 
 
 class Plan:
-    """The sections of plan.txt: [folders], [limits], [words], [allowed]."""
+    """The sections of plan.txt: [folders], [dependents], [limits], [words], [allowed]."""
 
     def __init__(self, path):
-        self.folders, self.limits, self.words, self.allowed = [], {}, [], []
+        self.folders, self.dependents, self.limits, self.words, self.allowed = [], [], {}, [], []
         section = None
         for line in path.read_text(encoding="utf8").splitlines():
             line = line.partition(" # ")[0].strip()
@@ -47,6 +48,9 @@ class Plan:
             elif section == "folders":
                 row, _, may = line.partition("|")
                 self.folders.append((row.strip(), may.split()))
+            elif section == "dependents":
+                row, _, number = line.partition("|")
+                self.dependents.append((row.strip(), float(number)))
             elif section == "limits":
                 name, _, number = line.partition("|")
                 self.limits[name.strip()] = int(number)
@@ -67,6 +71,11 @@ class Plan:
                 return row, may
         return None, None
 
+    def most_dependents_of(self, path):
+        """By the first row that a path below Filters matches."""
+        return next((most for row, most in self.dependents if fnmatch.fnmatchcase(path, row)),
+            float("inf"))
+
     def is_allowed(self, name, line):
         return any(fnmatch.fnmatchcase(name, where) and text in line for where, text in self.allowed)
 
@@ -82,7 +91,7 @@ def list_files(root):
 
 
 def resolve(name, included, headers):
-    """The file below Filters that an include refers to, or None."""
+    """The header that an include refers to, beside the file or from the top, or None."""
     here = pathlib.PurePosixPath(name).parent
     parts = []
     for part in (here / included).parts:
@@ -90,18 +99,18 @@ def resolve(name, included, headers):
             parts = parts[:-1]
         else:
             parts.append(part)
-    for candidate in ("/".join(parts), included):
+    for candidate in ("/".join(parts), included, "Filters/" + included, "Testing/" + included):
         if candidate in headers:
             return candidate
     return None
 
 
-def read_includes(root, headers):
-    """Of each file below Filters: (line, spelling, file or None)."""
+def read_includes(folder, headers):
+    """Of each file below a folder: (line, spelling, file or None)."""
     includes = {}
     for name in headers:
         includes[name] = []
-        text = (root / "Filters" / name).read_text(encoding="utf8")
+        text = (folder / name).read_text(encoding="utf8")
         for number, line in enumerate(text.splitlines(), 1):
             match = INCLUDE.match(line)
             if match:
@@ -162,6 +171,44 @@ def check_circles(includes):
     for unit in sorted(edges):
         if unit not in state:
             yield from visit(unit)
+
+
+def find_included(name, includes):
+    """{all that a source includes: by which file and line}, itself left out."""
+    included, ahead = {}, [name]
+    for file in ahead:
+        for number, _, target in includes[file]:
+            if target and target != name and target not in included:
+                included[target] = file, number
+                ahead.append(target)
+    return included
+
+
+def read_twice_compiled(root):
+    """The tests of the core that are compiled for plain lanes, too."""
+    path = root / "Testing/Core/CMakeLists.txt"
+    text = path.read_text(encoding="utf8") if path.exists() else ""
+    tests = re.search(r"set\(lanes_tests ([^)]*)\)", text)
+    return {"Testing/Core/%s.cxx" % name for name in ["CoreSupport"] +
+        ["Test" + test for test in (tests.group(1).split() if tests else [])]}
+
+
+def check_dependents(plan, root, names):
+    """The include that is told of is the one by which most objects depend on the header."""
+    includes = read_includes(root, {name for name in names if name.endswith((".h", ".cxx")) and
+        name.startswith(("Filters/", "Testing/")) and not name.startswith("Testing/Benchmark/")})
+    twice = read_twice_compiled(root)
+    dependents = {}  # of each header: objects by the include that leads to it
+    for source in sorted(name for name in includes if name.endswith(".cxx")):
+        for header, where in find_included(source, includes).items():
+            objects = dependents.setdefault(header, {})
+            objects[where] = objects.get(where, 0) + (2 if source in twice else 1)
+    for header, objects in sorted(dependents.items()):
+        count = sum(objects.values())
+        if count > plan.most_dependents_of(header.replace("Filters/", "", 1)):
+            where = max(objects, key=objects.get)
+            yield where + ("%d objects depend on %s, %d of them by this include" % (
+                count, header, objects[where]),)
 
 
 def blank_out(text):
@@ -325,11 +372,12 @@ def check(root, plan):
         or name.endswith(".md")]
     headers = {name[len("Filters/"):] for name in names
         if name.startswith("Filters/") and name.endswith((".h", ".cxx"))}
-    includes = read_includes(root, headers)
+    includes = read_includes(root / "Filters", headers)
     found = ["Filters/%s:%d: %s" % each for each in check_folders(plan, includes)]
     found += ["Filters/%s:%d: %s" % each for each in check_circles(includes)]
     found += ["Filters/%s:%d: %s" % each for each in check_namespaces(root, headers)]
     found += ["Filters/%s:%d: %s" % each for each in check_types(root, headers)]
+    found += ["%s:%d: %s" % each for each in check_dependents(plan, root, names)]
     found += ["%s:%d: %s" % each for each in check_lengths(plan, root, names)]
     found += ["%s:%d: %s" % each for each in check_guards(root, names)]
     found += ["%s:%d: %s" % each for each in check_words(plan, root, names)]

@@ -42,6 +42,9 @@ def plant(plan):
     yield "a public header includes a private one", "Filters/vtkSkdTreeProbe.h", \
         '#include "Pipeline/SkdReport.h"\n', "may not include Pipeline/SkdReport.h"
     yield "a circle", "Filters/Core/Geometry/ForEachAxis.h", '#include "Box.h"\n', "a circle of includes"
+    yield "a kernel that many files include", "Filters/Core/Geometry/Box.h", \
+        '#include "Core/Geometry/Distance/ClosestPointOnTriangle.h"\n', \
+        "objects depend on Filters/Core/Geometry/Distance/ClosestPointOnTriangle.h"
     yield "a new folder", "Filters/Attic/SkdOld.h", "\n", "is in no folder"
     yield "a long file", "Filters/Cells/Read/SkdShape.h", 600 * "\n", "the file has"
     yield "a long XML file", "Plugin/XML/SkdTreeRemap.xml", 600 * "\n", "the file has"

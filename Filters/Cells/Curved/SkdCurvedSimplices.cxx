@@ -3,6 +3,7 @@
 #include "Cells/Curved/SkdCurvedSimplices.h"
 
 #include "Cells/Kernels/SkdParametricCell.h"
+#include "Core/Geometry/Cells/LinearShapes.h"
 
 #include "vtkCell.h"
 

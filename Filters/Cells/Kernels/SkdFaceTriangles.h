@@ -3,7 +3,7 @@
 #ifndef SkdFaceTriangles_h
 #define SkdFaceTriangles_h
 
-#include "Cells/Kernels/SkdKernels.h"
+#include "Cells/Kernels/SkdQuadSplit.h"
 
 namespace skdtree
 {

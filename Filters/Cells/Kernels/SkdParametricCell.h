@@ -3,8 +3,11 @@
 #ifndef SkdParametricCell_h
 #define SkdParametricCell_h
 
-#include "Cells/Kernels/SkdKernels.h"
+#include "Cells/Kernels/SkdCellAnswers.h"
 #include "Core/Geometry/Cells/ParameterDomain.h"
+#include "Core/Geometry/Segment.h"
+
+#include <optional>
 
 class vtkCell;
 

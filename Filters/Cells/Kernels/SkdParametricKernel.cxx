@@ -4,6 +4,7 @@
 
 #include "Core/Geometry/Box.h"
 #include "Core/Geometry/Cells/LeastResidual.h"
+#include "Core/Geometry/Distance/ClosestPointOnSegment.h"
 
 #include "vtkCell.h"
 

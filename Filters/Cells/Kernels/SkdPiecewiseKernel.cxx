@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Kernels/SkdPiecewiseKernel.h"
 
+#include "Cells/Kernels/SkdKernels.h"
 #include "Cells/Kernels/SkdPolyKernels.h"
 
 #include "vtkCell.h"

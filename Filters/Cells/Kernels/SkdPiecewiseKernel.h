@@ -6,7 +6,10 @@
 #ifndef SkdPiecewiseKernel_h
 #define SkdPiecewiseKernel_h
 
-#include "Cells/Kernels/SkdKernels.h"
+#include "Cells/Kernels/SkdCellAnswers.h"
+#include "Core/Geometry/Segment.h"
+
+#include <optional>
 
 class vtkCell;
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Kernels/SkdPolyKernels.h"
 
+#include "Cells/Kernels/SkdKernels.h"
+#include "Core/Geometry/Cells/ClosestPointOnPolyhedron.h"
 #include "Core/Geometry/Cells/MeanValue.h"
 #include "Core/Geometry/Intersection/SegmentPolygon.h"
 

@@ -6,9 +6,16 @@
 #ifndef SkdPolyKernels_h
 #define SkdPolyKernels_h
 
-#include "Cells/Kernels/SkdKernels.h"
+#include "Cells/Kernels/SkdCellAnswers.h"
 #include "Cells/Kernels/SkdPolyCell.h"
-#include "Core/Geometry/Cells/Polyhedron.h"
+#include "Core/Geometry/Box.h"
+
+#include <optional>
+
+namespace skd
+{
+class SegmentView;
+}
 
 namespace skdtree
 {

@@ -4,9 +4,11 @@
 #include "Cells/Search/SkdCellTree.h"
 
 #include "Cells/Kernels/SkdGenericKernel.h"
+#include "Cells/Kernels/SkdKernels.h"
 #include "Cells/Kernels/SkdPolyKernels.h"
 #include "Cells/Search/SkdCellTreeWalk.h"
 #include "Core/Geometry/Cells/LinearShapes.h"
+#include "Core/Geometry/Cells/Polyhedron.h"
 #include "Core/Geometry/Intersection/SegmentNearTriangle.h"
 #include "Core/Geometry/Intersection/SegmentPatch.h"
 #include "Core/Search/Queries/AlongSegment.h"
@@ -218,6 +220,7 @@ void SkdCellTree::FindBorders(const skd::Segment<3>& segment, double tolerance,
   {
     return;
   }
+  parameters.insert(parameters.end(), { 0.0, 1.0 });
   const double maxDistance = tolerance > this->TheRounding ? tolerance : this->TheRounding;
   Borders borders(view, maxDistance, parameters);
   auto visitor = [&](std::uint32_t cell)

@@ -3,9 +3,14 @@
 #ifndef SkdBuildTree_h
 #define SkdBuildTree_h
 
-#include "Core/Search/Tree/LazyTree.h"
 #include "Core/Search/Tree/Tree.h"
 #include "Core/Search/Tree/TreeInput.h"
+
+namespace skd
+{
+template <int D>
+class LazyTree;
+}
 
 namespace skdtree
 {

@@ -4,6 +4,7 @@
 
 #include "Cells/Curved/SkdCurvedSimplices.h"
 #include "Cells/Kernels/SkdFaceTriangles.h"
+#include "Cells/Kernels/SkdKernels.h"
 #include "Cells/Kernels/SkdParametricCell.h"
 #include "Core/Geometry/Intersection/BoxOverlap.h"
 #include "Core/Geometry/Polygons/EarClipping.h"
@@ -300,5 +301,18 @@ bool SkdCellTree::Meets(std::uint32_t cell, const skd::SimplexSet& set) const
   };
   return std::any_of(set.Simplices.begin(), set.Simplices.end(), overlaps) ||
     skd::Encloses(set, this->Store.Point(*this->Store.PointIdsOf(cell)));
+}
+
+//------------------------------------------------------------------------------
+bool SkdCellTree::IsWithin(std::uint32_t cell, const SkdCellSource& source,
+  const skd::SimplexSet& set, double maxDistance2) const
+{
+  if (!(skd::MinDistance2(this->SafetyBoxOf(cell), set.Bounds) <= maxDistance2))
+  {
+    return false;
+  }
+  thread_local skd::SimplexSet own; // keeps its memory
+  this->GetSimplices(cell, source, own);
+  return skd::MinDistance2(own, set, maxDistance2) <= maxDistance2;
 }
 }

@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdForEach.h"
 #include "Cells/Search/SkdBuildTree.h"
+#include "Core/Search/Tree/LazyTree.h"
 #include "Core/Search/Tree/PaperTree.h"
 
 #include <algorithm>
@@ -24,6 +25,8 @@ SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
     this->FindEqualCells(settings);
   }
 }
+
+SkdCellTree::~SkdCellTree() = default;
 
 //------------------------------------------------------------------------------
 void SkdCellTree::FindEqualCells(const SkdTreeSettings& settings)

@@ -13,11 +13,11 @@
 #include "Core/Geometry/Plane.h"
 #include "Core/Geometry/RigidMotion.h"
 #include "Core/Geometry/Segment.h"
-#include "Core/Search/Tree/LazyTree.h"
 #include "Core/Search/Tree/Tree.h"
 #include "Core/Search/Tree/TreeInput.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -29,6 +29,8 @@ namespace skd
 class SegmentView;
 struct CandidateLanes;
 struct SimplexSet;
+template <int D>
+class LazyTree;
 template <int D>
 struct PaperTree;
 }
@@ -109,6 +111,7 @@ public:
   SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings);
   SkdCellTree(const SkdCellTree&) = delete; // a tree that is built on query reads these cells
   SkdCellTree& operator=(const SkdCellTree&) = delete;
+  ~SkdCellTree();
 
   const SkdCellStore& Cells() const { return this->Store; }
   bool IsBare() const { return this->Bare; }
@@ -160,9 +163,10 @@ public:
 
   ///@{
   /// SkdBorderQueries.cxx. FindBorders adds the parameters, in any order, at which the segment may
-  /// pass from one cell to another: where it crosses faces of volumes, and edges of surfaces and
-  /// ends of curves that it comes near to the tolerance. There may be others among them. Evaluate:
-  /// the point of one cell nearest to x; Id -1 of a cell that is not in the tree.
+  /// pass from one cell to another: 0 and 1, where it crosses faces of volumes, and edges of
+  /// surfaces and ends of curves that it comes near to the tolerance. There may be others among
+  /// them; none of a segment of no length. Evaluate: the point of one cell nearest to x; Id -1 of a
+  /// cell that is not in the tree.
   void FindBorders(const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source,
     std::vector<double>& parameters) const;
   SkdFoundCell Evaluate(vtkIdType id, const skd::Vector3& x, const SkdCellSource& source) const;
@@ -234,6 +238,9 @@ public:
   /// Whether the cell, as above, has a point in common with a set. Curved cells count by their
   /// boxes.
   bool Meets(std::uint32_t cell, const skd::SimplexSet& set) const;
+  /// Whether the cell, as what GetSimplices() makes of it, is that near to a set.
+  bool IsWithin(std::uint32_t cell, const SkdCellSource& source, const skd::SimplexSet& set,
+    double maxDistance2) const;
 
   /// Algorithm 3.1 as printed, on the safety boxes; elements are cells of the store.
   skd::PaperTree<3> MakePaperTree() const;
@@ -263,9 +270,12 @@ private:
   /// The tree for queries that need one of equal cells only.
   const SkdCellTree& WithoutEqual() const { return this->Distinct ? *this->Distinct : *this; }
 
-  /// SkdCellTreeWalk.h: runs a query on whichever tree there is.
+  ///@{
+  /// SkdCellTreeWalk.h: runs a query on whichever tree there is; the frame of that.
   template <class Query>
   void Walk(Query& query) const;
+  const skd::Frame<3>& GetFrame() const;
+  ///@}
   /// Calls wide(tree) if AVX2 queries are available for it (SkdWideWalks.h); else returns false.
   template <class Wide>
   bool WalkWide(Wide wide) const
@@ -285,15 +295,6 @@ private:
   /// skd::VisitTriangleHits, if all cells are triangles whose corners are at hand. False if not.
   template <bool InOrder, class Visitor>
   bool VisitTriangleHits(const skd::Segment<3>& segment, double tolerance, Visitor& visitor) const;
-
-  const skd::Frame<3>& GetFrame() const
-  {
-    return this->Lazy ? this->Lazy->GetFrame() : this->Eager.GetFrame();
-  }
-  const skd::Box3& GetBounds() const
-  {
-    return this->Lazy ? this->Lazy->GetBounds() : this->Eager.GetBounds();
-  }
 
   /// GetSimplices() of a cell that is not curved; false for others.
   bool GetStraightSimplices(std::uint32_t cell, skd::SimplexSet& simplices) const;

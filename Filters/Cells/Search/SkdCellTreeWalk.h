@@ -4,6 +4,7 @@
 #define SkdCellTreeWalk_h
 
 #include "Cells/Search/SkdCellTree.h"
+#include "Core/Search/Tree/LazyTree.h"
 #include "Core/Search/Tree/Walk.h"
 
 namespace skdtree
@@ -19,6 +20,11 @@ void SkdCellTree::Walk(Query& query) const
   {
     skd::Walk(this->Eager, query);
   }
+}
+
+inline const skd::Frame<3>& SkdCellTree::GetFrame() const
+{
+  return this->Lazy ? this->Lazy->GetFrame() : this->Eager.GetFrame();
 }
 }
 

@@ -3,6 +3,7 @@
 #include "Cells/Search/SkdCellTree.h"
 
 #include "Cells/Kernels/SkdFaceTriangles.h"
+#include "Cells/Kernels/SkdKernels.h"
 #include "Cells/Search/SkdVisitCandidates.h"
 #include "Core/Geometry/Cells/Polyhedron.h"
 #include "Core/Geometry/Intersection/BoxOverlap.h"

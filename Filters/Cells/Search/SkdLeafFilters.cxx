@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Search/SkdLeafFilters.h"
 
-#include "Cells/Kernels/SkdPolyKernels.h"
+#include "Cells/Kernels/SkdKernels.h"
 #include "Core/Geometry/Cells/CellFaces.h"
 #include "Core/Search/LeafFilters/PlaneLeafFilter.h"
 #include "Core/Search/LeafFilters/TriangleLeafFilters.h"

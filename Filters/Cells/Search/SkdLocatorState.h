@@ -6,7 +6,6 @@
 #include "Cells/Read/SkdCellReader.h"
 #include "Cells/Read/SkdMeshSnapshot.h"
 #include "Cells/Search/SkdCellTree.h"
-#include "Core/Geometry/Intersection/SegmentTriangle.h"
 
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"

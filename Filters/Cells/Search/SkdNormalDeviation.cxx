@@ -3,7 +3,7 @@
 #include "Cells/Search/SkdCellTree.h"
 
 #include "Cells/Search/SkdVisitCandidates.h"
-#include "Core/Geometry/Polygons/PlanarPolygon.h"
+#include "Core/Geometry/Polygons/PolygonPlane.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "Cells/Search/SkdCellTree.h"
 
 #include "Core/Search/Queries/OverlapParts.h"
+#include "Core/Search/Tree/LazyTree.h"
 
 #include "vtkSMPTools.h"
 

@@ -3,6 +3,7 @@
 #include "Cells/Search/SkdCellTree.h"
 
 #include "Cells/Kernels/SkdGenericKernel.h"
+#include "Cells/Kernels/SkdKernels.h"
 #include "Cells/Kernels/SkdPolyKernels.h"
 #include "Cells/Search/SkdCellTreeWalk.h"
 #include "Core/Search/LeafFilters/PlaneLeafFilter.h"

@@ -7,6 +7,7 @@
 
 #include "Cells/Search/SkdCellTree.h"
 #include "Core/Search/Queries/CandidateLists.h"
+#include "Core/Search/Tree/LazyTree.h"
 
 namespace skdtree
 {

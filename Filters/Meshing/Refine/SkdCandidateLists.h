@@ -4,7 +4,7 @@
 #define SkdCandidateLists_h
 
 #include "Core/Geometry/Rows.h"
-#include "Core/Search/Queries/CandidateLists.h"
+#include "Core/Search/Queries/CandidateLanes.h"
 
 #include <vector>
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshing/Refine/SkdCellRegion.h"
 
-#include "Cells/Kernels/SkdKernels.h"
+#include "Cells/Kernels/SkdQuadSplit.h"
+#include "Core/Geometry/Distance/ClosestPointOnSegment.h"
 #include "Core/Geometry/Polygons/EarClipping.h"
 #include "Core/Geometry/Polygons/Ears.h"
 #include "Core/Geometry/Simplices/SimplexDistance.h"

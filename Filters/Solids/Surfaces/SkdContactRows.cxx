@@ -4,7 +4,6 @@
 #include "Cells/Read/SkdForEach.h"
 #include "Solids/Surfaces/SkdContacts.h"
 
-#include "Core/Geometry/Distance/ClosestTriangles.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -60,12 +59,10 @@ SkdContacts::Row SkdContacts::MakeRow(std::size_t index) const
     row.FirstPoint = row.SecondPoint = this->Points.GetPosition(this->Points.GetPoint(index, 0));
     return row;
   }
-  const skd::NearestPoints nearest =
-    skd::ClosestPoints(first.Get(pair.First).Corners, second.Get(pair.Second).Corners);
-  const double unscaled = 1.0 / this->Placement.Scale;
-  row.Dist2 = nearest.Dist2 * unscaled * unscaled;
-  row.FirstPoint = unscaled * nearest.First;
-  row.SecondPoint = unscaled * nearest.Second;
+  const SkdGap gap = SkdFindGap(this->Placement, pair);
+  row.Dist2 = gap.Dist2;
+  row.FirstPoint = gap.First;
+  row.SecondPoint = gap.Second;
   return row;
 }
 

@@ -3,7 +3,7 @@
 #ifndef SkdPlacement_h
 #define SkdPlacement_h
 
-#include "Core/Geometry/Intersection/TriangleContact.h"
+#include "Core/Geometry/Intersection/ProjectedTriangle.h"
 #include "Core/Geometry/RigidMotion.h"
 #include "Solids/Surfaces/SkdTriangleSet.h"
 

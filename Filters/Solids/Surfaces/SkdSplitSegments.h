@@ -42,7 +42,7 @@ struct SkdSplitElement
   /// The edges of the triangle that it lies on, a bit each.
   unsigned GetEdges() const
   {
-    return skd::detail::EdgesAt(this->FeatureOfA) & skd::detail::EdgesAt(this->FeatureOfB);
+    return skd::EdgesAt(this->FeatureOfA) & skd::EdgesAt(this->FeatureOfB);
   }
   bool operator<(const SkdSplitElement& other) const
   {

@@ -4,7 +4,9 @@
 
 #include "Cells/Read/SkdForEach.h"
 #include "Core/Geometry/Distance/ClosestTriangles.h"
+#include "Core/Geometry/Intersection/TriangleContact.h"
 #include "Core/Search/Queries/OverlapParts.h"
+#include "Core/Search/Tree/LazyTree.h"
 #include "Core/Search/Tree/PackedRTree.h"
 #include "Pipeline/SkdLoop.h"
 
@@ -15,6 +17,15 @@
 
 namespace skdtree
 {
+SkdGap SkdFindGap(const SkdPlacement& placement, const SkdTrianglePair& pair)
+{
+  const auto [first, second, dist2] =
+    skd::ClosestPoints(placement.First.GetCornerPoints(pair.First),
+      placement.GetSecond().GetCornerPoints(pair.Second));
+  const double unscaled = 1.0 / placement.Scale;
+  return { unscaled * first, unscaled * second, dist2 * unscaled * unscaled };
+}
+
 //------------------------------------------------------------------------------
 /// A search on its way, shared by all its parts.
 class SkdTrianglePairs::Search

@@ -9,6 +9,7 @@
 #ifndef SkdTrianglePairs_h
 #define SkdTrianglePairs_h
 
+#include "Core/Geometry/Intersection/TriangleFeature.h"
 #include "Solids/Surfaces/SkdDoubtfulPairs.h"
 #include "Solids/Surfaces/SkdNearTriangles.h"
 #include "Solids/Surfaces/SkdPlacement.h"
@@ -26,6 +27,15 @@ struct SkdTrianglePair
   std::uint32_t Second;
   skd::TriangleContact Contact;
 };
+
+/// Where two triangles come nearest that do not touch, before scaling.
+struct SkdGap
+{
+  skd::Vector3 First;
+  skd::Vector3 Second;
+  double Dist2;
+};
+SkdGap SkdFindGap(const SkdPlacement& placement, const SkdTrianglePair& pair);
 
 /// What is looked for.
 struct SkdPairSearch

@@ -6,6 +6,7 @@
 #include "Bodies/SkdWeld.h"
 #include "Cells/Read/SkdForEach.h"
 #include "Cells/Search/SkdBuildTree.h"
+#include "Core/Search/Tree/LazyTree.h"
 #include "Solids/Surfaces/SkdPointFilter.h"
 #include "vtkSMPTools.h"
 
@@ -14,6 +15,11 @@
 
 namespace skdtree
 {
+SkdTriangleSet::SkdTriangleSet() = default;
+SkdTriangleSet::~SkdTriangleSet() = default;
+SkdTriangleSet::SkdTriangleSet(SkdTriangleSet&&) noexcept = default;
+SkdTriangleSet& SkdTriangleSet::operator=(SkdTriangleSet&&) noexcept = default;
+
 //------------------------------------------------------------------------------
 SkdTriangleSet::SkdTriangleSet(SkdReadTriangles made)
   : Read(std::move(made))
@@ -93,11 +99,10 @@ std::optional<SkdTriangleSet> SkdTriangleSet::Moved(
 //------------------------------------------------------------------------------
 void SkdTriangleSet::Complete()
 {
-  if (!this->HasTree)
+  if (!this->Tree)
   {
     this->LeaveOutCopies(SkdManyCopies);
     this->BuildTree();
-    this->HasTree = true;
   }
 }
 
@@ -246,6 +251,6 @@ void SkdTriangleSet::BuildTree()
     }
     boxes.push_back(box);
   }
-  this->Tree = SkdBuildLazyTree(skd::MakeTreeInput(boxes, 0.0));
+  this->Tree = std::make_unique<skd::LazyTree<3>>(SkdBuildLazyTree(skd::MakeTreeInput(boxes, 0.0)));
 }
 }

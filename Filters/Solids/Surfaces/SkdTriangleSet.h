@@ -12,7 +12,6 @@
 #include "Core/Geometry/Rows.h"
 #include "Core/Geometry/Vector.h"
 #include "Core/Parallel/Processes.h"
-#include "Core/Search/Tree/LazyTree.h"
 #include "Pipeline/SkdBlockSnapshots.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Solids/Surfaces/SkdCopies.h"
@@ -21,8 +20,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
+
+namespace skd
+{
+template <int D>
+class LazyTree;
+}
 
 namespace skdtree
 {
@@ -40,7 +46,10 @@ public:
   using PointList = skd::RawVector<skd::Vector3>;
   using TriangleList = skd::RawVector<Corners>;
 
-  SkdTriangleSet() = default;
+  SkdTriangleSet();
+  ~SkdTriangleSet();
+  SkdTriangleSet(SkdTriangleSet&& other) noexcept;
+  SkdTriangleSet& operator=(SkdTriangleSet&& other) noexcept;
 
   /// Of triangles that were made, instead of read. Their bounds are found, and what else depends on
   /// coordinates; these are such as have been read.
@@ -85,7 +94,7 @@ public:
   /// @{ Merges equal points, leaves out copies but for SkdManyCopies of each, and begins the tree,
   /// unless done before. O(n).
   void Complete();
-  bool IsComplete() const { return this->HasTree; }
+  bool IsComplete() const { return this->Tree != nullptr; }
   ///@}
 
   /// Merges points as Complete() does, but only the corners of some triangles: those of equal
@@ -100,7 +109,8 @@ public:
 
   const PointList& GetPoints() const { return this->Read.Points; }
   const TriangleList& GetTriangles() const { return this->Read.Triangles; }
-  const skd::LazyTree<3>& GetTree() const { return this->Tree; } ///< of those that are searched
+  /// Of those that are searched. The set must be complete.
+  const skd::LazyTree<3>& GetTree() const { return *this->Tree; }
 
   /// @{ The cells that have triangles, by ascending (block, id), and the index of each triangle's
   /// cell. Triangles are in the order of their cells.
@@ -151,11 +161,10 @@ private:
   std::vector<std::uint32_t> PointOf; // of each point that was read, when merged
   bool IsRead = false;
   bool IsMerged = false;
-  bool HasTree = false;
   bool AreCopiesKnown = false;
-  std::vector<SkdDuplicate> Copies;    // that are not searched
-  std::vector<std::uint32_t> Searched; // the others, if there are copies
-  skd::LazyTree<3> Tree;
+  std::vector<SkdDuplicate> Copies;             // that are not searched
+  std::vector<std::uint32_t> Searched;          // the others, if there are copies
+  std::unique_ptr<const skd::LazyTree<3>> Tree; // of a complete set
 };
 }
 

@@ -23,7 +23,7 @@ SkdSplitCorners::SkdSplitCorners(
 {
   for (int i = 0; i < 3; ++i)
   {
-    this->All.push_back({ triangle[i], None, skd::detail::EdgesAt(static_cast<std::int8_t>(i)) });
+    this->All.push_back({ triangle[i], None, skd::EdgesAt(static_cast<std::int8_t>(i)) });
   }
 }
 

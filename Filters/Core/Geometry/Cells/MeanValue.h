@@ -12,7 +12,7 @@
 #ifndef skd_Geometry_Cells_MeanValue_h
 #define skd_Geometry_Cells_MeanValue_h
 
-#include "Polyhedron.h"
+#include "ClosestPointOnPolyhedron.h"
 
 namespace skd
 {

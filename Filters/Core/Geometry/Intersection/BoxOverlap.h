@@ -13,7 +13,7 @@
 #define skd_Geometry_Intersection_BoxOverlap_h
 
 #include "../Box.h"
-#include "../Polygons/PlanarPolygon.h"
+#include "../Polygons/PolygonPlane.h"
 #include "../Segment.h"
 #include "../Tolerances.h"
 

@@ -6,7 +6,7 @@
 #ifndef skd_Geometry_Intersection_SegmentPolygon_h
 #define skd_Geometry_Intersection_SegmentPolygon_h
 
-#include "../Polygons/PlanarPolygon.h"
+#include "../Polygons/PolygonPlane.h"
 #include "SegmentTriangle.h"
 
 namespace skd

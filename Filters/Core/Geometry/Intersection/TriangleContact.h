@@ -3,7 +3,8 @@
 #ifndef skd_Geometry_Intersection_TriangleContact_h
 #define skd_Geometry_Intersection_TriangleContact_h
 
-#include "../Predicates/Orient3D.h"
+#include "ProjectedTriangle.h"
+#include "TriangleFeature.h"
 
 #include <algorithm>
 #include <array>
@@ -12,99 +13,6 @@
 
 namespace skd
 {
-
-/// A part of a triangle: corner 0 to 2, edge 3 + i from corner i to the next, or its inside.
-using TriangleFeature = std::int8_t;
-constexpr TriangleFeature TriangleInside = 6;
-
-inline bool IsCorner(TriangleFeature feature)
-{
-  return feature < 3;
-}
-inline bool IsEdge(TriangleFeature feature)
-{
-  return feature >= 3 && feature < TriangleInside;
-}
-
-/// A triangle to be tested for contacts: corners, and its projection along an axis.
-struct ProjectedTriangle
-{
-  std::array<Vector3, 3> Corners;
-  int Axis; ///< along which it has an area; -1 of a triangle whose corners lie on one line
-
-  explicit ProjectedTriangle(const std::array<Vector3, 3>& corners)
-    : ProjectedTriangle(corners, FindAxis(corners))
-  {
-  }
-  ProjectedTriangle(const std::array<Vector3, 3>& corners, int axis)
-    : Corners(corners)
-    , Axis(axis)
-  {
-  }
-
-  const Vector3& operator[](int corner) const { return this->Corners[corner]; }
-
-  /// The axis along which the area is largest, within rounding error; -1 if there is none along
-  /// any, exactly.
-  static int FindAxis(const std::array<Vector3, 3>& corners)
-  {
-    const Vector3 normal = Cross(corners[1] - corners[0], corners[2] - corners[0]);
-    int first = 0;
-    for (int axis = 1; axis < 3; ++axis)
-    {
-      first = std::abs(normal[axis]) > std::abs(normal[first]) ? axis : first;
-    }
-    for (const int axis : { first, (first + 1) % 3, (first + 2) % 3 })
-    {
-      if (Orient2D(corners[0], corners[1], corners[2], axis) != 0)
-      {
-        return axis;
-      }
-    }
-    return -1;
-  }
-};
-
-/// A triangle to be tested for contacts with many others: corners, and the plane through them.
-struct TriangleInPlane
-{
-  std::array<Vector3, 3> Corners;
-  FloatingPlane Plane;
-
-  explicit TriangleInPlane(const std::array<Vector3, 3>& corners)
-    : Corners(corners)
-    , Plane(corners[0], corners[1], corners[2])
-  {
-  }
-};
-
-/// A point where two triangles touch: the least part of each that it lies on.
-struct ContactPoint
-{
-  TriangleFeature First;
-  TriangleFeature Second;
-};
-
-/// What two triangles have in common: nothing, a point, a segment, or when they lie in one plane a
-/// convex polygon, by its corners. The corners of a polygon are given around it.
-struct TriangleContact
-{
-  std::array<ContactPoint, 6> Points;
-  int Count = 0;
-  bool IsFlat = false; ///< both lie in one plane
-
-  void Add(TriangleFeature first, TriangleFeature second)
-  {
-    for (int i = 0; i < this->Count; ++i)
-    {
-      if (this->Points[i].First == first && this->Points[i].Second == second)
-      {
-        return;
-      }
-    }
-    this->Points[this->Count++] = { first, second };
-  }
-};
 
 /// For each corner of the first triangle the corner of the second that it is known to be; -1: none.
 using SharedCorners = std::array<std::int8_t, 3>;
@@ -141,16 +49,6 @@ inline TriangleFeature FeatureOf(const std::array<int, 3>& sides)
     return static_cast<TriangleFeature>(sum == 1 ? 1 : (sum == 2 ? 0 : 2)); // edges 0 1, 0 2, 1 2
   }
   return static_cast<TriangleFeature>(zeros == 1 ? 3 + sum : TriangleInside);
-}
-
-/// The edges of a triangle that a part of it lies on, a bit each.
-inline unsigned EdgesAt(TriangleFeature feature)
-{
-  if (IsCorner(feature))
-  {
-    return (1u << feature) | (1u << (feature == 0 ? 2 : feature - 1));
-  }
-  return IsEdge(feature) ? 1u << (feature - 3) : 0u;
 }
 
 using Sides = std::array<int, 3>;

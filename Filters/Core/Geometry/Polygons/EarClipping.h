@@ -3,7 +3,7 @@
 #ifndef skd_Geometry_Polygons_EarClipping_h
 #define skd_Geometry_Polygons_EarClipping_h
 
-#include "PlanarPolygon.h"
+#include "PolygonPlane.h"
 
 #include <vector>
 

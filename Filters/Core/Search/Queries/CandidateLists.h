@@ -6,27 +6,14 @@
 #ifndef skd_Queries_CandidateLists_h
 #define skd_Queries_CandidateLists_h
 
-#include "../Tree/Walk.h"
+#include "../Tree/Node.h"
+#include "CandidateLanes.h"
 #include "QueryBox.h"
 
 #include <vector>
 
 namespace skd
 {
-
-/// Some children of a node, one bit each. They are elements if the node is a leaf, else nodes that
-/// represent all elements below them.
-struct CandidateLanes
-{
-  std::uint32_t Node;
-  std::uint32_t Lanes;
-};
-
-/// The initial candidates of a root box: the whole tree.
-inline std::vector<CandidateLanes> AllCandidates()
-{
-  return { { 0u, ~0u } };
-}
 
 namespace detail
 {
