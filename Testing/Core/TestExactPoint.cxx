@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
+#include <utility>
 
 namespace
 {
@@ -60,6 +62,28 @@ TEST(BigNumber, LosesNothingBetweenFarNumbers)
   EXPECT_EQ((huge + tiny - huge).Sign(), 1);
   EXPECT_EQ((huge * huge * tiny * tiny - one * huge * tiny * huge * tiny).Sign(), 0);
   EXPECT_EQ(((huge + tiny) * (huge - tiny) - huge * huge).Sign(), -1);
+}
+
+TEST(BigNumber, OfManyDigitsIsCopiedAndMoved)
+{
+  const BigNumber third(1.0 / 3.0);
+  BigNumber power = third;
+  for (int factors = 2; factors < 40; ++factors) // of any length
+  {
+    const BigNumber next = power * third;
+    BigNumber copy = next;
+    EXPECT_EQ((copy - next).Sign(), 0);
+    copy = third; // fewer digits
+    EXPECT_EQ((copy - third).Sign(), 0);
+    copy = power;
+    BigNumber moved = std::move(copy);
+    EXPECT_EQ((moved - power).Sign(), 0);
+    copy = std::move(moved);
+    EXPECT_EQ((copy * third - next).Sign(), 0);
+    copy = third;
+    power = next;
+  }
+  EXPECT_NEAR(AsDouble(power) / std::pow(1.0 / 3.0, 39), 1.0, 1e-14);
 }
 
 Vector3 Draw(std::mt19937& random, double step)

@@ -3,10 +3,11 @@
 #ifndef skd_Predicates_BigNumber_h
 #define skd_Predicates_BigNumber_h
 
+#include "DigitList.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <vector>
 
 namespace skd
 {
@@ -33,8 +34,10 @@ public:
     const int rest = shift - 32 * this->Exponent; // 0 to 31
     const std::uint64_t high = rest > 0 ? digits >> (64 - rest) : 0;
     digits <<= rest;
-    this->Digits = { static_cast<std::uint32_t>(digits), static_cast<std::uint32_t>(digits >> 32),
-      static_cast<std::uint32_t>(high) };
+    this->Digits = DigitList(3);
+    this->Digits.data()[0] = static_cast<std::uint32_t>(digits);
+    this->Digits.data()[1] = static_cast<std::uint32_t>(digits >> 32);
+    this->Digits.data()[2] = static_cast<std::uint32_t>(high);
     this->IsNegative = value < 0.0;
     this->Trim();
   }
@@ -65,17 +68,20 @@ public:
   friend BigNumber operator*(const BigNumber& a, const BigNumber& b)
   {
     BigNumber product;
-    product.Digits.assign(a.Digits.size() + b.Digits.size(), 0);
+    product.Digits = DigitList(a.Digits.size() + b.Digits.size());
+    const std::uint32_t* const ofA = a.Digits.data();
+    const std::uint32_t* const ofB = b.Digits.data();
     for (std::size_t i = 0; i < a.Digits.size(); ++i)
     {
+      std::uint32_t* const to = product.Digits.data() + i;
       std::uint64_t carry = 0;
       for (std::size_t k = 0; k < b.Digits.size(); ++k)
       {
-        carry += static_cast<std::uint64_t>(a.Digits[i]) * b.Digits[k] + product.Digits[i + k];
-        product.Digits[i + k] = static_cast<std::uint32_t>(carry);
+        carry += static_cast<std::uint64_t>(ofA[i]) * ofB[k] + to[k];
+        to[k] = static_cast<std::uint32_t>(carry);
         carry >>= 32;
       }
-      product.Digits[i + b.Digits.size()] = static_cast<std::uint32_t>(carry);
+      to[b.Digits.size()] = static_cast<std::uint32_t>(carry);
     }
     product.Exponent = a.Exponent + b.Exponent;
     product.IsNegative = a.IsNegative != b.IsNegative;
@@ -135,33 +141,24 @@ private:
     sum.Exponent = std::min(a.Exponent, b.Exponent);
     sum.IsNegative = a.IsNegative;
     const int top = std::max(a.Top(), b.Top()) + 1;
-    sum.Digits.reserve(static_cast<std::size_t>(top - sum.Exponent));
+    sum.Digits = DigitList(static_cast<std::size_t>(top - sum.Exponent));
+    std::uint32_t* to = sum.Digits.data();
     std::int64_t carry = 0;
     for (int digit = sum.Exponent; digit < top; ++digit)
     {
       carry +=
         static_cast<std::int64_t>(a.At(digit)) + sign * static_cast<std::int64_t>(b.At(digit));
-      sum.Digits.push_back(static_cast<std::uint32_t>(carry & 0xffffffff));
+      *to++ = static_cast<std::uint32_t>(carry & 0xffffffff);
       carry = carry < 0 ? -1 : carry >> 32;
     }
     sum.Trim();
     return sum;
   }
 
-  void Trim()
-  {
-    while (!this->Digits.empty() && this->Digits.back() == 0)
-    {
-      this->Digits.pop_back();
-    }
-    const auto first = std::find_if(
-      this->Digits.begin(), this->Digits.end(), [](std::uint32_t d) { return d != 0; });
-    this->Exponent += static_cast<int>(first - this->Digits.begin());
-    this->Digits.erase(this->Digits.begin(), first);
-  }
+  void Trim() { this->Exponent += static_cast<int>(this->Digits.Trim()); }
 
-  std::vector<std::uint32_t> Digits; // the lowest first; neither end is 0
-  int Exponent = 0;                  // the position of the lowest, in digits of 32 bits
+  DigitList Digits; // the lowest first; neither end is 0
+  int Exponent = 0; // the position of the lowest, in digits of 32 bits
   bool IsNegative = false;
 };
 
