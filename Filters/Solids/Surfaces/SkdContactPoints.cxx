@@ -182,6 +182,33 @@ skd::Vector3 SkdContactPoints::FindPosition(const Key& key) const
   return skd::CrossingWithPlane(this->EdgeAt(key.first), a, b, c);
 }
 
+unsigned SkdContactPoints::FindExactAxes(const Feature& feature, const skd::Vector3& position) const
+{
+  std::array<skd::Vector3, 3> corners;
+  if (feature.IsInside())
+  {
+    corners = this->TriangleAt(feature.A);
+  }
+  else
+  {
+    corners = { this->CornerAt(feature.A), this->CornerAt(feature.B), this->CornerAt(feature.B) };
+  }
+  unsigned axes = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double x = position[axis];
+    const bool areAll = corners[0][axis] == x && corners[1][axis] == x && corners[2][axis] == x;
+    axes |= static_cast<unsigned>(areAll) << axis;
+  }
+  return axes;
+}
+
+unsigned SkdContactPoints::FindExactAxes(std::uint32_t point, const skd::Vector3& position) const
+{
+  const Key& key = this->Keys[point];
+  return this->FindExactAxes(key.first, position) | this->FindExactAxes(key.second, position);
+}
+
 skd::ExactPoint SkdContactPoints::GetExact(std::uint32_t point) const
 {
   const Key& key = this->Keys[point];

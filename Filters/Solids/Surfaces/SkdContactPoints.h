@@ -35,6 +35,10 @@ public:
   /// the exact positions would tell much more slowly.
   bool AreOnOneEdge(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
 
+  /// The axes, a bit each, along which a position (with the placement's scale) is that of a point
+  /// exactly: those that an edge or triangle which it is on is normal to.
+  unsigned FindExactAxes(std::uint32_t point, const skd::Vector3& position) const;
+
   /// Point `i` of the contact of a pair.
   std::uint32_t GetPoint(std::size_t pair, int i) const
   {
@@ -73,6 +77,7 @@ private:
   void MakeCornersOne(const std::vector<SkdTrianglePair>& pairs, std::vector<Key>& keys) const;
   static bool IsOn(const Feature& edge, const Key& key);
   skd::Vector3 FindPosition(const Key& key) const;
+  unsigned FindExactAxes(const Feature& feature, const skd::Vector3& position) const;
   const skd::Vector3& CornerAt(std::uint32_t corner) const;
   skd::Segment<3> EdgeAt(const Feature& edge) const;
   std::array<skd::Vector3, 3> TriangleAt(std::uint32_t triangle) const;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 namespace skdtree
 {
@@ -84,6 +85,10 @@ private:
 
   void Meet(const Piece& x, const Piece& y)
   {
+    if (this->IsOnOneSide(x, y) || this->IsOnOneSide(y, x) || this->GoApart(x, y))
+    {
+      return; // exact signs would tell the same, slowly where pieces are nearly on a line
+    }
     const int a = this->SideOf(x.A, y);
     const int b = x.A == x.B ? a : this->SideOf(x.B, y);
     const int c = this->SideOf(y.A, x);
@@ -93,6 +98,41 @@ private:
       this->Events.push_back({ SkdSplitEvent::Cross, std::min(x.Segment, y.Segment),
         std::max(x.Segment, y.Segment), this->Axis });
     }
+  }
+
+  /// Whether both ends of a piece surely are on the same side of another.
+  bool IsOnOneSide(const Piece& piece, const Piece& other) const
+  {
+    const auto sideOf = [&](std::uint32_t point)
+    {
+      return skd::FilteredOrient2D(this->Points.GetPosition(other.A),
+        this->Points.GetPosition(other.B), this->Points.GetPosition(point), this->Axis,
+        this->Points.GetError());
+    };
+    const int side = sideOf(piece.A);
+    return side != 0 && side == sideOf(piece.B);
+  }
+
+  /// Whether two pieces that have an end in common surely are on different sides of it along an
+  /// axis, so that they have nothing else in common.
+  bool GoApart(const Piece& x, const Piece& y) const
+  {
+    const bool isAtA = x.A == y.A || x.A == y.B;
+    const std::uint32_t shared = isAtA ? x.A : x.B;
+    if (!isAtA && x.B != y.A && x.B != y.B)
+    {
+      return false;
+    }
+    const skd::Vector3& at = this->Points.GetPosition(shared);
+    const skd::Vector3 toX = this->Points.GetPosition(isAtA ? x.B : x.A) - at;
+    const skd::Vector3 toY = this->Points.GetPosition(shared == y.A ? y.B : y.A) - at;
+    const double doubt = 4.0 * this->Points.GetError();
+    const auto goApart = [&](int axis)
+    {
+      return std::min(std::abs(toX[axis]), std::abs(toY[axis])) > doubt &&
+        (toX[axis] > 0.0) != (toY[axis] > 0.0);
+    };
+    return goApart(0) || goApart(1) || goApart(2);
   }
 
   /// The side of a piece on which a point lies. 0: on its line, possibly on the piece, which is

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Surfaces/SkdSplitPoints.h"
 
+#include "Core/Geometry/Predicates/Orient3D.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -21,9 +23,27 @@ double LargestCoordinateOf(const SkdTriangleSet::PointList& points)
 }
 }
 
+std::optional<int> SkdOrientByCoordinates(
+  const SkdSplitPosition& a, const SkdSplitPosition& b, const SkdSplitPosition& c, int axis)
+{
+  const unsigned axes = a.ExactAxes & b.ExactAxes & c.ExactAxes;
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  const auto isExact = [axes](int along) { return (axes >> along & 1u) != 0; };
+  const auto areSame = [&](int along)
+  { return isExact(along) && a.X[along] == b.X[along] && b.X[along] == c.X[along]; };
+  if (areSame(u) || areSame(v))
+  {
+    return 0;
+  }
+  return isExact(u) && isExact(v) ? std::make_optional(skd::Orient2D(a.X, b.X, c.X, axis))
+                                  : std::nullopt;
+}
+
 SkdSplitPoints::SkdSplitPoints(const SkdContactPoints& contacts, const SkdPlacement& placement)
   : Contacts(contacts)
   , Positions(contacts.GetNumberOfPoints())
+  , ExactAxes(contacts.GetNumberOfPoints())
   , Exact(contacts.GetNumberOfPoints())
   , Same(contacts.GetNumberOfPoints())
 {
@@ -32,7 +52,9 @@ SkdSplitPoints::SkdSplitPoints(const SkdContactPoints& contacts, const SkdPlacem
   this->Error = ErrorOf(extent);
   for (std::uint32_t point = 0; point < contacts.GetNumberOfPoints(); ++point)
   {
-    this->Positions[point] = placement.Scale * contacts.GetPosition(point);
+    const skd::Vector3 position = placement.Scale * contacts.GetPosition(point);
+    this->Positions[point] = position;
+    this->ExactAxes[point] = static_cast<unsigned char>(contacts.FindExactAxes(point, position));
   }
 }
 
@@ -50,8 +72,26 @@ std::uint32_t SkdSplitPoints::AddCrossing(const std::array<std::uint32_t, 4>& en
   this->Crossings.push_back({ ends, axis });
   this->Exact.emplace_back(nullptr);
   this->Positions.push_back(this->GetExact(point).Rounded());
+  this->ExactAxes.push_back(this->FindExactAxes(ends, this->Positions.back()));
   this->Same.Add();
   return point;
+}
+
+/// Of a crossing of segments one of which is normal to an axis.
+unsigned char SkdSplitPoints::FindExactAxes(
+  const std::array<std::uint32_t, 4>& ends, const skd::Vector3& position) const
+{
+  unsigned axes = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto isAt = [&](int end)
+    {
+      const SkdSplitPosition at = this->GetSplitPosition(ends[static_cast<std::size_t>(end)]);
+      return (at.ExactAxes >> axis & 1u) != 0 && at.X[axis] == position[axis];
+    };
+    axes |= static_cast<unsigned>((isAt(0) && isAt(1)) || (isAt(2) && isAt(3))) << axis;
+  }
+  return static_cast<unsigned char>(axes);
 }
 
 bool SkdSplitPoints::Unite(std::uint32_t a, std::uint32_t b)
@@ -85,7 +125,8 @@ skd::ExactPoint SkdSplitPoints::MakeExact(std::uint32_t point) const
     return this->Contacts.GetExact(point);
   }
   const Crossing& crossing = this->Crossings[point - before];
-  const auto end = [&](int i) { return this->GetExact(crossing.Ends[i]); };
+  const auto end = [&](int i) -> const skd::ExactPoint&
+  { return this->GetExact(crossing.Ends[i]); };
   return skd::ExactCrossing(end(0), end(1), end(2), end(3), crossing.Axis);
 }
 
@@ -96,6 +137,12 @@ int SkdSplitPoints::Orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, in
   if (sign != 0)
   {
     return sign;
+  }
+  const std::optional<int> known = SkdOrientByCoordinates(
+    this->GetSplitPosition(a), this->GetSplitPosition(b), this->GetSplitPosition(c), axis);
+  if (known)
+  {
+    return *known;
   }
   const bool areContacts = std::max({ a, b, c }) < this->Contacts.GetNumberOfPoints();
   return areContacts && this->Contacts.AreOnOneEdge(a, b, c)
@@ -110,7 +157,11 @@ int SkdSplitPoints::Compare(std::uint32_t a, std::uint32_t b, int axis) const
   {
     return difference > 0.0 ? 1 : -1;
   }
-  return a == b ? 0 : skd::ExactCompare(this->GetExact(a), this->GetExact(b), axis);
+  if (a == b || (this->ExactAxes[a] & this->ExactAxes[b] & 1u << axis) != 0)
+  {
+    return (difference > 0.0) - (difference < 0.0);
+  }
+  return skd::ExactCompare(this->GetExact(a), this->GetExact(b), axis);
 }
 
 int SkdSplitPoints::FindAxis(std::uint32_t a, std::uint32_t b) const

@@ -16,9 +16,22 @@
 #include <atomic>
 #include <deque>
 #include <limits>
+#include <optional>
 
 namespace skdtree
 {
+/// A position, and the axes along which it is exact, a bit each.
+struct SkdSplitPosition
+{
+  const skd::Vector3& X;
+  unsigned ExactAxes;
+};
+
+/// The exact sign of the area of three points as seen along an axis, if coordinates that are exact
+/// tell it.
+std::optional<int> SkdOrientByCoordinates(
+  const SkdSplitPosition& a, const SkdSplitPosition& b, const SkdSplitPosition& c, int axis);
+
 class SkdSplitPoints
 {
 public:
@@ -44,6 +57,11 @@ public:
   /// coordinate; or exact, which is slow at its first use. Thread-safe.
   const skd::Vector3& GetPosition(std::uint32_t point) const { return this->Positions[point]; }
   const skd::ExactPoint& GetExact(std::uint32_t point) const;
+  unsigned GetExactAxes(std::uint32_t point) const { return this->ExactAxes[point]; }
+  SkdSplitPosition GetSplitPosition(std::uint32_t point) const
+  {
+    return { this->Positions[point], this->ExactAxes[point] };
+  }
   double GetError() const { return this->Error; }
 
   /// That error, for points whose coordinates have magnitudes up to `extent`.
@@ -69,11 +87,14 @@ private:
     int Axis;
   };
   skd::ExactPoint MakeExact(std::uint32_t point) const;
+  unsigned char FindExactAxes(
+    const std::array<std::uint32_t, 4>& ends, const skd::Vector3& position) const;
 
   const SkdContactPoints& Contacts;
   double Error;
   std::vector<Crossing> Crossings;
   std::vector<skd::Vector3> Positions;
+  std::vector<unsigned char> ExactAxes;                          // of these, a bit each
   mutable std::deque<std::atomic<const skd::ExactPoint*>> Exact; // nullptr: not known yet
   skd::DisjointSets<> Same;                                      // points of one position
 };

@@ -257,9 +257,15 @@ int EdgeOf(unsigned edges)
   return edges & 1u ? 0 : (edges & 2u ? 1 : 2);
 }
 
+/// Both ends of the edge as one number.
+std::uint64_t EndsOf(const SkdSplitEdgePoint& point)
+{
+  return static_cast<std::uint64_t>(point.From) << 32 | point.To;
+}
+
 bool IsOfLowerEdge(const SkdSplitEdgePoint& a, const SkdSplitEdgePoint& b)
 {
-  return a.From != b.From ? a.From < b.From : a.To < b.To;
+  return EndsOf(a) < EndsOf(b);
 }
 }
 
@@ -293,6 +299,10 @@ void SkdSplitSegments::SortEdgePoints(Side& side)
 {
   const auto compare = [&](const SkdSplitEdgePoint& a, const SkdSplitEdgePoint& b)
   {
+    if (a.Point == b.Point)
+    {
+      return 0; // many triangles have the same edge
+    }
     const skd::Vector3 direction = side.Set->GetPoints()[a.To] - side.Set->GetPoints()[a.From];
     const int axis = std::abs(direction[0]) >= std::abs(direction[1])
       ? (std::abs(direction[0]) >= std::abs(direction[2]) ? 0 : 2)
@@ -304,13 +314,14 @@ void SkdSplitSegments::SortEdgePoints(Side& side)
   std::sort(points.begin(), points.end(),
     [&](const SkdSplitEdgePoint& a, const SkdSplitEdgePoint& b)
     {
-      const bool isLower = IsOfLowerEdge(a, b);
-      return isLower || IsOfLowerEdge(b, a) ? isLower : compare(a, b) < 0;
+      const std::uint64_t first = EndsOf(a);
+      const std::uint64_t second = EndsOf(b);
+      return first != second ? first < second : compare(a, b) < 0;
     });
   const auto last = std::unique(points.begin(), points.end(),
     [&](const SkdSplitEdgePoint& a, const SkdSplitEdgePoint& b)
     {
-      const bool isSame = !IsOfLowerEdge(a, b) && !IsOfLowerEdge(b, a) && compare(a, b) == 0;
+      const bool isSame = EndsOf(a) == EndsOf(b) && compare(a, b) == 0;
       if (isSame)
       {
         this->Points.Unite(a.Point, b.Point);

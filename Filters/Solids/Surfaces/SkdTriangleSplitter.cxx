@@ -35,17 +35,41 @@ int SkdSplitCorners::Add(std::uint32_t point, unsigned edges)
 
 int SkdSplitCorners::Orient(int a, int b, int c)
 {
-  const int sign = skd::FilteredOrient2D(
-    (*this)[a].X, (*this)[b].X, (*this)[c].X, this->Axis, this->Points.GetError());
+  const SkdSplitCorner& first = (*this)[a];
+  const SkdSplitCorner& second = (*this)[b];
+  const SkdSplitCorner& third = (*this)[c];
+  if ((first.Edges & second.Edges & third.Edges) != 0)
+  {
+    return 0; // on one edge of the triangle
+  }
+  if (std::min({ a, b, c }) >= 3) // all are points
+  {
+    return this->Sign * this->Points.Orient(first.Point, second.Point, third.Point, this->Axis);
+  }
+  const int sign =
+    skd::FilteredOrient2D(first.X, second.X, third.X, this->Axis, this->Points.GetError());
+  if (sign != 0)
+  {
+    return this->Sign * sign;
+  }
+  const std::optional<int> known = SkdOrientByCoordinates(
+    this->GetSplitPosition(a), this->GetSplitPosition(b), this->GetSplitPosition(c), this->Axis);
   return this->Sign *
-    (sign != 0 ? sign
-               : skd::ExactArea(this->GetExact(a), this->GetExact(b), this->GetExact(c), this->Axis)
-                   .Sign());
+    (known ? *known
+           : skd::ExactArea(this->GetExact(a), this->GetExact(b), this->GetExact(c), this->Axis)
+               .Sign());
 }
 
 bool SkdSplitCorners::IsBetter(int a, int b, int c, int d) const
 {
   return skd::IsOtherEdgeDelaunay((*this)[a].X, (*this)[b].X, (*this)[c].X, (*this)[d].X);
+}
+
+SkdSplitPosition SkdSplitCorners::GetSplitPosition(int i) const
+{
+  constexpr unsigned all = 7; // of a given corner
+  const SkdSplitCorner& local = (*this)[i];
+  return { local.X, local.Point == None ? all : this->Points.GetExactAxes(local.Point) };
 }
 
 const skd::ExactPoint& SkdSplitCorners::GetExact(int i)

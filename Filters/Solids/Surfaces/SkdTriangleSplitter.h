@@ -42,6 +42,7 @@ public:
   ///@}
 
 private:
+  SkdSplitPosition GetSplitPosition(int i) const;
   const skd::ExactPoint& GetExact(int i);
 
   const SkdSplitPoints& Points;
