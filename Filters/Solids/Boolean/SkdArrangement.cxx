@@ -130,27 +130,60 @@ std::uint32_t SideEntered(const SkdEdgeUse& use)
 }
 /// @}
 
-void FindRegions(const EdgeFan& fan, SkdArrangement& arrangement)
+/// The uses of an edge.
+struct EdgeUses
 {
-  skd::DisjointSets<> sides(2 * arrangement.Facets.GetNumberOfFacets());
-  std::vector<SkdEdgeUse> uses;
-  arrangement.Facets.Edges.ForEach(
+  std::uint32_t Low;
+  const SkdEdgeUse* First;
+  const SkdEdgeUse* Last;
+};
+
+/// The patch of each facet: those that are connected by edges that only two of them have, one in
+/// each direction, so that both sides of a patch are each in one region. Lists the other edges.
+std::vector<std::uint32_t> FindPatches(const SkdFacets& facets, std::vector<EdgeUses>& others)
+{
+  skd::DisjointSets<> patches(facets.GetNumberOfFacets());
+  facets.Edges.ForEach(
     [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
     {
-      if (last - first > 2) // the order of two does not matter
+      if (last - first == 2 && first[0].IsForward != first[1].IsForward)
       {
-        uses.assign(first, last);
-        fan.Sort(low, uses);
-        first = uses.data();
-        last = first + uses.size();
+        patches.Unite(first[0].Triangle, first[1].Triangle);
+        return;
       }
-      for (const SkdEdgeUse* use = first; use != last; ++use)
-      {
-        sides.Unite(SideLeft(*use), SideEntered(use + 1 == last ? *first : use[1]));
-      }
+      others.push_back({ low, first, last });
     });
-  arrangement.Regions = sides.Number();
-  for (const std::uint32_t region : arrangement.Regions)
+  return patches.Number();
+}
+
+void FindRegions(const EdgeFan& fan, SkdArrangement& arrangement)
+{
+  std::vector<EdgeUses> edges;
+  const std::vector<std::uint32_t> patchOf = FindPatches(arrangement.Facets, edges);
+  const auto patches = std::max_element(patchOf.begin(), patchOf.end());
+  skd::DisjointSets<> sides(patchOf.empty() ? 0 : 2 * (*patches + std::size_t(1)));
+  const auto ofPatch = [&patchOf](std::uint32_t side) { return 2 * patchOf[side / 2] + side % 2; };
+  std::vector<SkdEdgeUse> uses;
+  for (const EdgeUses& edge : edges)
+  {
+    uses.assign(edge.First, edge.Last);
+    if (uses.size() > 2) // the order of two does not matter
+    {
+      fan.Sort(edge.Low, uses);
+    }
+    for (std::size_t i = 0; i < uses.size(); ++i)
+    {
+      const SkdEdgeUse& next = uses[i + 1 == uses.size() ? 0 : i + 1];
+      sides.Unite(ofPatch(SideLeft(uses[i])), ofPatch(SideEntered(next)));
+    }
+  }
+  const std::vector<std::uint32_t> regions = sides.Number(); // patches are by their first facets
+  arrangement.Regions.resize(2 * patchOf.size());
+  for (std::uint32_t side = 0; side < arrangement.Regions.size(); ++side)
+  {
+    arrangement.Regions[side] = regions[ofPatch(side)];
+  }
+  for (const std::uint32_t region : regions)
   {
     arrangement.NumberOfRegions = std::max(arrangement.NumberOfRegions, region + 1);
   }

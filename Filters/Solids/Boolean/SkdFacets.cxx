@@ -8,29 +8,31 @@ namespace skdtree
 {
 SkdFacets::SkdFacets(
   const SkdSplitSegments& segments, SkdSplitResult split, const SkdOverlaps& overlaps)
-  : NewPoints(std::move(split.Points))
+  : Corners(std::move(split.Triangles))
+  , Parents(std::move(split.Parents))
+  , NewPoints(std::move(split.Points))
 {
   const SkdMovedTriangles& set = *segments.GetSide(0).Set;
-  this->Corners.reserve(split.Triangles.size());
-  this->Parents.reserve(split.Triangles.size());
+  std::uint32_t count = 0; // nearly always all are facets, and stay where they are
   auto layer = overlaps.Layers.begin();
-  for (std::uint32_t piece = 0; piece < split.Triangles.size(); ++piece)
+  for (std::uint32_t piece = 0; piece < this->Corners.size(); ++piece)
   {
-    const bool isFacet = !overlaps.IsHigher[piece] && set.HasArea(split.Parents[piece]);
+    const bool isFacet = !overlaps.IsHigher[piece] && set.HasArea(this->Parents[piece]);
     for (; layer != overlaps.Layers.end() && layer->Facet == piece; ++layer)
     {
       if (isFacet)
       {
-        const auto facet = static_cast<std::uint32_t>(this->Corners.size());
-        this->Layers.push_back({ facet, layer->Parent, layer->Sign });
+        this->Layers.push_back({ count, layer->Parent, layer->Sign });
       }
     }
     if (isFacet)
     {
-      this->Corners.push_back(split.Triangles[piece]);
-      this->Parents.push_back(split.Parents[piece]);
+      this->Corners[count] = this->Corners[piece];
+      this->Parents[count++] = this->Parents[piece];
     }
   }
+  this->Corners.resize(count);
+  this->Parents.resize(count);
   this->Edges = SkdMakeEdgeTable(this->Corners, set.GetPoints().size() + this->NewPoints.size());
 }
 }

@@ -22,16 +22,26 @@ constexpr std::uint32_t None = 0xffffffffu;
 /// A piece at one of its edges, from a corner to the next.
 struct Use
 {
-  std::uint32_t From;
-  std::uint32_t To;
-  std::uint32_t Piece; // among those that are looked at
+  std::uint64_t Ends;  ///< of the edge, the lower one first, as one number: uses are sorted by it
+  std::uint32_t Piece; ///< among those that are looked at
+  bool IsForward;      ///< from the lower end to the higher
 
-  SkdSplitEdge GetEdge() const { return SkdMakeSplitEdge(this->From, this->To); }
+  Use(std::uint32_t from, std::uint32_t to, std::uint32_t piece)
+    : Ends(static_cast<std::uint64_t>(std::min(from, to)) << 32 | std::max(from, to))
+    , Piece(piece)
+    , IsForward(from < to)
+  {
+  }
+
+  std::uint32_t GetFrom() const { return this->GetEnd(this->IsForward); }
+  std::uint32_t GetTo() const { return this->GetEnd(!this->IsForward); }
+  std::uint32_t GetEnd(bool isLower) const
+  {
+    return static_cast<std::uint32_t>(isLower ? this->Ends >> 32 : this->Ends);
+  }
   bool operator<(const Use& other) const
   {
-    const SkdSplitEdge edge = this->GetEdge();
-    const SkdSplitEdge others = other.GetEdge();
-    return edge != others ? edge < others : this->Piece < other.Piece;
+    return this->Ends != other.Ends ? this->Ends < other.Ends : this->Piece < other.Piece;
   }
 };
 
@@ -89,6 +99,12 @@ private:
 
   skd::Vector3 At(std::uint32_t point) const { return this->Facets.GetPosition(this->Set, point); }
 
+  /// Without a call, which a comparison of arrays is.
+  static bool AreDifferent(const Corners& a, const Corners& b)
+  {
+    return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) != 0;
+  }
+
   /// The facets in the boundary of faces that are cut.
   void ListPieces()
   {
@@ -96,7 +112,8 @@ private:
     std::vector<bool> isCut(this->Faces.GetNumberOfTriangles(), false);
     for (std::uint32_t facet = 0; facet < n; ++facet)
     {
-      if (this->Facets.Corners[facet] != this->Set.GetCorners(this->Facets.Parents[facet]))
+      if (AreDifferent(
+            this->Facets.Corners[facet], this->Set.GetCorners(this->Facets.Parents[facet])))
       {
         isCut[this->Faces.Find(this->OriginOf(facet) / 2)] = true;
       }
@@ -116,7 +133,7 @@ private:
     const std::uint32_t second = this->Pieces[b.Piece];
     const std::uint32_t ofFirst = this->OriginOf(first);
     const std::uint32_t ofSecond = this->OriginOf(second);
-    return a.From == b.To && this->Signs[first] == this->Signs[second] &&
+    return a.GetFrom() == b.GetTo() && this->Signs[first] == this->Signs[second] &&
       ofFirst % 2 == ofSecond % 2 && this->Faces.Unite(ofFirst / 2, ofSecond / 2);
   }
 
@@ -125,7 +142,7 @@ private:
   /// be there, too.
   bool IsForward(const Use& use) const
   {
-    return (use.From < use.To) == (this->Signs[this->Pieces[use.Piece]] > 0);
+    return use.IsForward == (this->Signs[this->Pieces[use.Piece]] > 0);
   }
 
   /// The connected parts of faces, and the edges around them.
@@ -139,7 +156,7 @@ private:
       const Corners& corners = this->Facets.Corners[this->Pieces[piece]];
       for (std::size_t i = 0; i < 3; ++i)
       {
-        uses.push_back({ corners[i], corners[(i + 1) % 3], piece });
+        uses.emplace_back(corners[i], corners[(i + 1) % 3], piece);
       }
     }
     std::sort(uses.begin(), uses.end());
@@ -182,7 +199,7 @@ private:
     for (const Use* first = uses.data(); first != end;)
     {
       const Use* last = first + 1;
-      while (last != end && last->GetEdge() == first->GetEdge())
+      while (last != end && last->Ends == first->Ends)
       {
         ++last;
       }
@@ -203,7 +220,7 @@ private:
     {
       const std::uint32_t other = arePair ? this->PartOf[first[use == first ? 1 : 0].Piece] : None;
       const std::uint32_t part = this->PartOf[use->Piece];
-      this->Border.push_back({ use->From, use->To, part, other == part ? None : other });
+      this->Border.push_back({ use->GetFrom(), use->GetTo(), part, other == part ? None : other });
     }
   }
 
@@ -428,6 +445,11 @@ private:
   {
     SkdRoundedFacets joined;
     joined.Facets.NewPoints = this->Facets.NewPoints;
+    const auto unused = std::count(this->Signs.begin(), this->Signs.end(), 0);
+    const std::size_t count = this->Signs.size() - static_cast<std::size_t>(unused);
+    joined.Facets.Corners.reserve(count); // as a rule joined pieces are fewer
+    joined.Facets.Parents.reserve(count);
+    joined.Signs.reserve(count);
     const auto add = [&](std::uint32_t facet, const Corners& corners)
     {
       joined.Facets.Corners.push_back(corners);

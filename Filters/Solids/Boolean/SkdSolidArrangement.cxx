@@ -81,9 +81,7 @@ std::optional<bool> SkdSolidArrangement::UpdateTriangles(
   }
   this->Triangles = *std::move(moved);
   this->OfInput.Rounding = RoundingOf(*this->AsRead, this->Triangles, motion);
-  const SkdSolids solids = SkdSolidsByInput(this->Triangles, blocks.FirstOfSource);
-  this->OfInput.Known.End = static_cast<std::uint32_t>(
-    std::lower_bound(solids.Of.begin(), solids.Of.end(), 1u) - solids.Of.begin());
+  this->OfInput.Known.End = SkdFirstTriangleOf(this->Triangles, blocks.FirstOfSource);
   return true;
 }
 

@@ -33,11 +33,25 @@ SkdBooleanBlocks SkdMakeBooleanBlocks(vtkDataObject* input, vtkDataObject* sourc
   return blocks;
 }
 
+std::uint32_t SkdFirstTriangleOf(const SkdTriangleSet& set, int block)
+{
+  std::uint32_t first = 0;
+  auto count = static_cast<std::uint32_t>(set.GetTriangles().size());
+  while (count > 0) // triangles are in the order of blocks
+  {
+    const std::uint32_t half = count / 2;
+    const bool isBefore = set.GetCells()[set.GetCellOf(first + half)].Block < block;
+    first += isBefore ? half + 1 : 0;
+    count = isBefore ? count - half - 1 : half;
+  }
+  return first;
+}
+
 SkdSolids SkdSolidsByInput(const SkdTriangleSet& set, int firstOfSource)
 {
-  SkdSolids solids = NumberSolids(set,
-    [&](std::uint32_t triangle)
-    { return set.GetCells()[set.GetCellOf(triangle)].Block < firstOfSource ? 0u : 1u; });
+  SkdSolids solids;
+  solids.Of.assign(SkdFirstTriangleOf(set, firstOfSource), 0);
+  solids.Of.resize(set.GetTriangles().size(), 1);
   solids.Count = 2; // also if there are no triangles of one
   return solids;
 }

@@ -29,6 +29,10 @@ struct SkdSolids
   std::uint32_t Count = 0;
 };
 
+/// The first triangle of a block, or of those after it; the number of triangles if there is none.
+/// O(log n).
+std::uint32_t SkdFirstTriangleOf(const SkdTriangleSet& set, int block);
+
 /// Two: the blocks before `firstOfSource`, and the others.
 SkdSolids SkdSolidsByInput(const SkdTriangleSet& set, int firstOfSource);
 

@@ -38,7 +38,7 @@ void Add(SkdRegionWindings& to, const SkdWindingOf& winding)
 struct Component
 {
   std::vector<std::uint32_t> Triangles;
-  std::uint32_t Largest = None; // of them
+  std::uint32_t Largest = None; // of them, or of a part
   double Area = -1.0;
   skd::Box3 Box;
 };
@@ -244,12 +244,22 @@ private:
     }
   }
 
+  /// Of many triangles a part is enough to find a large one.
   void AddTriangle(std::uint32_t triangle, Component& component) const
   {
+    constexpr std::size_t few = 64;
+    constexpr std::size_t step = 16;
     const auto x = this->Set.GetCornerPoints(triangle);
-    const double area = Norm2(Cross(x[1] - x[0], x[2] - x[0]));
+    const std::size_t number = component.Triangles.size();
     component.Triangles.push_back(triangle);
-    component.Box.Add(this->Set.GetBox(triangle));
+    component.Box.Add(x[0]);
+    component.Box.Add(x[1]);
+    component.Box.Add(x[2]);
+    if (number > few && number % step != 0)
+    {
+      return;
+    }
+    const double area = Norm2(Cross(x[1] - x[0], x[2] - x[0]));
     if (area > component.Area)
     {
       component.Area = area;

@@ -61,27 +61,20 @@ double MeanSize(const Triangles& triangles)
   return sum / count;
 }
 
-/// Triangles as cells see them.
-class TrianglesByCells
+/// The points of a set as cells see them, with a margin.
+class PointsByCells
 {
 public:
-  TrianglesByCells(const Triangles& triangles, const Cells& cells, double margin)
-    : Original(triangles)
-    , TheCells(cells)
-    , Lows(CellPositionsOf(triangles.Set, cells, -margin))
-    , Highs(margin > 0.0 ? CellPositionsOf(triangles.Set, cells, margin) : CellPositionList())
-    , AtHighs(margin > 0.0 ? this->Highs.data() : this->Lows.data())
+  PointsByCells(const SkdMovedTriangles& set, const Cells& cells, double margin)
+    : Lows(CellPositionsOf(set, cells, -margin))
+    , Highs(margin > 0.0 ? CellPositionsOf(set, cells, margin) : CellPositionList())
   {
   }
 
-  std::uint32_t GetBegin() const { return this->Original.Begin; }
-  std::uint32_t GetEnd() const { return this->Original.End; }
-
-  Cells::Range RangeOf(std::uint32_t triangle) const
+  const Cells::CellPosition* GetLows() const { return this->Lows.data(); }
+  const Cells::CellPosition* GetHighs() const
   {
-    const auto [a, b, c] = this->Original.Set.GetCorners(triangle);
-    return this->TheCells.RangeOf({ this->Lows[a], this->Lows[b], this->Lows[c] },
-      { this->AtHighs[a], this->AtHighs[b], this->AtHighs[c] });
+    return this->Highs.empty() ? this->Lows.data() : this->Highs.data();
   }
 
 private:
@@ -98,10 +91,36 @@ private:
     return positions;
   }
 
-  const Triangles Original;
-  const Cells& TheCells;
   CellPositionList Lows;
   CellPositionList Highs; // empty where these are the lows
+};
+
+/// Triangles as cells see them.
+class TrianglesByCells
+{
+public:
+  TrianglesByCells(const Triangles& triangles, const Cells& cells, const PointsByCells& points)
+    : Original(triangles)
+    , TheCells(cells)
+    , AtLows(points.GetLows())
+    , AtHighs(points.GetHighs())
+  {
+  }
+
+  std::uint32_t GetBegin() const { return this->Original.Begin; }
+  std::uint32_t GetEnd() const { return this->Original.End; }
+
+  Cells::Range RangeOf(std::uint32_t triangle) const
+  {
+    const auto [a, b, c] = this->Original.Set.GetCorners(triangle);
+    return this->TheCells.RangeOf({ this->AtLows[a], this->AtLows[b], this->AtLows[c] },
+      { this->AtHighs[a], this->AtHighs[b], this->AtHighs[c] });
+  }
+
+private:
+  const Triangles Original;
+  const Cells& TheCells;
+  const Cells::CellPosition* AtLows;
   const Cells::CellPosition* AtHighs;
 };
 
@@ -257,8 +276,14 @@ bool FilterByCoarseGrid(const SetPair& pair, SkdNearSets& near)
 {
   const double size = std::max(MeanSize(pair.First), MeanSize(pair.Second)) + pair.Margin;
   const Cells cells(pair.Region, size);
-  const TrianglesByCells byCellsFirst(pair.First, cells, 0.0);
-  const TrianglesByCells byCellsSecond(pair.Second, cells, pair.Margin);
+  const PointsByCells points(pair.First.Set, cells, 0.0);
+  std::optional<PointsByCells> others; // of another set, or with a margin
+  if (&pair.First.Set != &pair.Second.Set || pair.Margin > 0.0)
+  {
+    others.emplace(pair.Second.Set, cells, pair.Margin);
+  }
+  const TrianglesByCells byCellsFirst(pair.First, cells, points);
+  const TrianglesByCells byCellsSecond(pair.Second, cells, others ? *others : points);
   CoarseGrid grid(cells, pair.Count());
   if (!grid.MarkAll(byCellsFirst, near.First.Triangles) ||
     !grid.FindMarked(byCellsSecond, near.Second.Triangles))
@@ -274,7 +299,10 @@ skd::Box3 BoundsOf(const Triangles& triangles)
   skd::Box3 bounds;
   for (std::uint32_t i = triangles.Begin; i < triangles.End; ++i)
   {
-    bounds.Add(triangles.Set.GetBox(i));
+    for (const std::uint32_t corner : triangles.Set.GetCorners(i))
+    {
+      bounds.Add(triangles.Set.GetPoints()[corner]);
+    }
   }
   return bounds;
 }

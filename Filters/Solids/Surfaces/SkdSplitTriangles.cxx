@@ -6,6 +6,7 @@
 #include "Solids/Surfaces/SkdTriangleSplitter.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace skdtree
 {
@@ -62,30 +63,46 @@ private:
   SkdSplitResult Gather(std::vector<Work>& works, std::size_t n) const
   {
     SkdSplitResult result;
+    this->NumberPoints(works, result);
     result.NumberSplit = static_cast<vtkIdType>(works.size());
     std::size_t count = n - works.size();
     std::for_each(
       works.begin(), works.end(), [&](const Work& work) { count += work.Pieces.size(); });
     result.Triangles.reserve(count);
     result.Parents.reserve(count);
-    auto work = works.begin();
-    for (std::uint32_t triangle = 0; triangle < n; ++triangle)
+    std::uint32_t triangle = 0;
+    for (const Work& work : works)
     {
-      if (work != works.end() && work->Triangle == triangle)
+      this->AddWhole(triangle, work.Triangle, result);
+      result.Triangles.insert(result.Triangles.end(), work.Pieces.begin(), work.Pieces.end());
+      result.Parents.insert(result.Parents.end(), work.Pieces.size(), work.Triangle);
+      result.Curves.insert(result.Curves.end(), work.Curves.begin(), work.Curves.end());
+      triangle = work.Triangle + 1;
+    }
+    this->AddWhole(triangle, static_cast<std::uint32_t>(n), result);
+    return result;
+  }
+
+  /// Adds consecutive triangles that are not split.
+  void AddWhole(std::uint32_t first, std::uint32_t end, SkdSplitResult& result) const
+  {
+    const SkdTriangleSet& set = this->Side.Set->GetSet();
+    if (set.GetSearched().empty())
+    {
+      const auto all = set.GetTriangles().begin();
+      result.Triangles.insert(result.Triangles.end(), all + first, all + end);
+      result.Parents.resize(result.Triangles.size());
+      std::iota(result.Parents.end() - (end - first), result.Parents.end(), first);
+      return;
+    }
+    for (std::uint32_t triangle = first; triangle < end; ++triangle)
+    {
+      if (set.IsSearched(triangle))
       {
-        result.Triangles.insert(result.Triangles.end(), work->Pieces.begin(), work->Pieces.end());
-        result.Parents.insert(result.Parents.end(), work->Pieces.size(), triangle);
-        result.Curves.insert(result.Curves.end(), work->Curves.begin(), work->Curves.end());
-        ++work;
-      }
-      else if (this->Side.Set->GetSet().IsSearched(triangle))
-      {
-        result.Triangles.push_back(this->Side.Set->GetCorners(triangle));
+        result.Triangles.push_back(set.GetTriangles()[triangle]);
         result.Parents.push_back(triangle);
       }
     }
-    this->NumberPoints(works, result);
-    return result;
   }
 
   bool HasEdgePoints(std::uint32_t triangle) const
@@ -165,7 +182,7 @@ private:
     return { local.X, { corners[a], corners[b], corners[b] }, { 1.0 - t, t, 0.0 }, triangle };
   }
 
-  /// Numbers the new points on from the set's.
+  /// Numbers the new points on from the set's, also in pieces and curves.
   void NumberPoints(std::vector<Work>& works, SkdSplitResult& result) const
   {
     std::vector<NewPoint> all;
@@ -193,15 +210,18 @@ private:
         corner = before + static_cast<std::uint32_t>(at - all.begin());
       }
     };
-    for (Corners& triangle : result.Triangles)
+    for (Work& work : works)
     {
-      std::for_each(triangle.begin(), triangle.end(), renumber);
-    }
-    for (SkdSplitEdge& edge : result.Curves)
-    {
-      renumber(edge.first);
-      renumber(edge.second);
-      edge = SkdMakeSplitEdge(edge.first, edge.second);
+      for (Corners& piece : work.Pieces)
+      {
+        std::for_each(piece.begin(), piece.end(), renumber);
+      }
+      for (SkdSplitEdge& edge : work.Curves)
+      {
+        renumber(edge.first);
+        renumber(edge.second);
+        edge = SkdMakeSplitEdge(edge.first, edge.second);
+      }
     }
   }
 
