@@ -15,6 +15,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
 #include "vtkSkdTreeBooleanOperation.h"
@@ -222,6 +223,28 @@ void CountBoolean()
   CountInstructions("union of solids", [&] { filter->Update(); });
   filter->SetOperationToIntersection();
   CountInstructions("another operation on them", [&] { filter->Update(); });
+  for (const double shift : { 0.01, 0.02 }) // then it is known which pairs a motion may make
+  {
+    filter->SetTranslation(shift, 0.0, 0.0);
+    filter->Update();
+  }
+  filter->SetTranslation(0.03, 0.0, 0.0);
+  CountInstructions("operation after a motion", [&] { filter->Update(); });
+}
+
+/// Of boxes along the axes, whose faces cross in points that are on one line.
+void CountUnionOfBoxes()
+{
+  skdtest::Random random(23);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int i = 0; i < 60; ++i)
+  {
+    const Point at = random.InBox({ 0.0, 2.5, 0.0, 2.5, 0.0, 2.5 });
+    blocks->SetBlock(i, MakePolyData(Transformed(CubeTriangles(1), 1.0, at)));
+  }
+  vtkNew<vtkSkdTreeBooleanOperation> filter;
+  filter->SetInputDataObject(blocks);
+  CountInstructions("union of boxes", [&] { filter->Update(); });
 }
 
 /// Cells whose pieces must be searched, not gone through one by one.
@@ -279,6 +302,7 @@ int main()
   vtkSMPTools::Initialize(1);
   CountSurface();
   CountBoolean();
+  CountUnionOfBoxes();
   CountVolume("tetrahedra", Tetrahedra(12));
   CountVolume("hexahedra", Hexahedra(16));
   CountVolume("mixed cells", MixedCells(12));
