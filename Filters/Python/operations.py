@@ -133,7 +133,7 @@ def split(mesh: Any, cutter: Any) -> Parts:
     """A solid cut in two: both closed parts, in front of the cutter and behind it. Each may have several
     pieces, or none. The cutter is a plane, a pair (origin, normal), or a mesh: an open surface that cuts
     through, or a closed one, whose outside is in front. A data set's parts have the cell array SkdPartId."""
-    cut = _Boolean(mesh, "mesh", _cutter(cutter, mesh, "cutter"), "cutter")
+    cut = _Cut(mesh, cutter)
     parts = cut.run("Split")
     if parts.GetFieldData().GetArray("SkdReportPartVolumes").GetNumberOfValues() > 2:
         # Several sheets, behind which are several parts: here they are one.
@@ -149,7 +149,7 @@ def section(mesh: Any, cutter: Any) -> Any:
     """The part of a cutter (see split()) that is within a solid, with the cutter's normals: triangles for arrays,
     polygons for a data set (those with holes are triangles), with the arrays of vtkSkdTreeBooleanOperation. Where
     it coincides with the surface of the solid it is not within. intersection_curves() gives the outlines."""
-    return _returned(_Boolean(mesh, "mesh", _cutter(cutter, mesh, "cutter"), "cutter").run("Split", 1), mesh)
+    return _returned(_Cut(mesh, cutter).run("Split", 1), mesh)
 
 
 # Surfaces
@@ -165,7 +165,8 @@ def intersection_curves(a: Any, b: Any = None) -> Any:
     curves the last point is the first, isolated points have n = 1. For data sets it is a vtkPolyData with
     the arrays of vtkSkdTreeSurfaceIntersection. Within areas in which the surfaces coincide there are none."""
     running = Filter(vtkSkdTreeSurfaceIntersection(), {"Input": "a", "Source": "b"})
-    running.take(_mesh(a, "a"), None if b is None else _cutter(b, a, "b"))
+    mesh, plane = _mesh(a, "a"), _plane_of(b, "b")
+    running.take(mesh, _mesh_in_plane(*plane, mesh) if plane else None if b is None else _mesh(b, "b"))
     found = running.output()
     if not _is_arrays(a):
         return _returned(found, a)
@@ -258,7 +259,7 @@ def remap(source: Any, target: Any, arrays: Union[None, Sequence[str], Mapping[s
 class _Boolean(Filter):
     """The Boolean Operation on two meshes. What it finds is kept for the next operation."""
 
-    def __init__(self, a: Any, a_name: str, b: vtkDataSet, b_name: str) -> None:
+    def __init__(self, a: Any, a_name: str, b: Optional[vtkDataSet], b_name: str) -> None:
         super().__init__(vtkSkdTreeBooleanOperation(), {"Input": a_name, "Source": b_name})
         self.take(_mesh(a, a_name), b)
         self.filter.SetKeepPolygons(not _is_arrays(a))
@@ -266,6 +267,18 @@ class _Boolean(Filter):
     def run(self, operation: str, port: int = 0) -> vtkPolyData:
         getattr(self.filter, "SetOperationTo" + operation)()
         return self.output(port)
+
+
+class _Cut(_Boolean):
+    """The same on a mesh and what cuts it, a mesh or a plane."""
+
+    def __init__(self, mesh: Any, cutter: Any) -> None:
+        plane = _plane_of(cutter, "cutter")
+        super().__init__(mesh, "mesh", None if plane else _mesh(cutter, "cutter"), "cutter")
+        if plane:
+            self.filter.CutByPlaneOn()
+            self.filter.SetPlaneOrigin(*plane[0])
+            self.filter.SetPlaneNormal(*plane[1])
 
 
 def _combined(operation: str, *given: Any) -> Any:
@@ -374,20 +387,20 @@ def _triangles(mesh: vtkPolyData) -> tuple[Any, Any]:
     return _points(mesh), faces.astype(ID, copy=False)
 
 
-def _cutter(cutter: Any, mesh: Any, name: str) -> vtkDataSet:
-    """A mesh, or a plane as a triangle that reaches beyond another mesh."""
+def _plane_of(cutter: Any, name: str) -> Optional[tuple[Any, Any]]:
+    """The origin and the unit normal of a plane; None of what is none."""
     if not (isinstance(cutter, (tuple, list)) and len(cutter) == 2
             and all(numpy.size(part) == 3 and numpy.ndim(part) == 1 for part in cutter)):
-        return _mesh(cutter, name)
+        return None
     origin, normal = (to_numbers(part, name).astype(float) for part in cutter)
     length = float(numpy.linalg.norm(normal / (abs(normal).max() or 1.0)))
     if not (numpy.isfinite(origin).all() and numpy.isfinite(length) and length > 0.0):
         raise ValueError(f"{name} is a plane (origin, normal) = {cutter!r}: finite numbers are needed, and a normal "
             "that is not 0")
-    return _plane(origin, normal / abs(normal).max() / length, _mesh(mesh, "mesh"))
+    return origin, normal / abs(normal).max() / length
 
 
-def _plane(origin: Any, normal: Any, mesh: vtkDataSet) -> vtkPolyData:
+def _mesh_in_plane(origin: Any, normal: Any, mesh: vtkDataSet) -> vtkPolyData:
     """A triangle in a plane, with twice the room that a mesh needs there."""
     if mesh.GetNumberOfPoints() == 0:
         return vtkPolyData()

@@ -165,6 +165,9 @@ def test_splits_by_planes_and_sheets():
     parts = vtkskdtree.split(box(0, 1), ((0, 0, 3), (0, 0, 1)))
     assert len(parts.front.faces) == 0
     near(volume(parts.behind), 1.0)
+    far = ((0, 0, -1e200), (0, 1e-3, 1))
+    assert len(vtkskdtree.section(box(0, 1), far).faces) == len(vtkskdtree.split(box(0, 1), far).behind.faces) == 0
+    near(volume(vtkskdtree.split(box(0, 1), far).front), 1.0)
     # A roof as a sheet, and a closed cutter.
     roof = (numpy.array([[-1, -1, 0], [2, -1, 0], [2, 0.5, 0.75], [-1, 0.5, 0.75], [2, 2, 0], [-1, 2, 0]]),
         numpy.array([[0, 1, 2, 3], [3, 2, 4, 5]]))
