@@ -106,7 +106,7 @@ class Lint:
             (root / ".clang-tidy").read_text(encoding="utf8")
         names = {path.relative_to(root / "Filters").as_posix()
             for path in (root / "Filters").rglob("*") if path.suffix in (".h", ".cxx")}
-        self.includes = check_layout.read_includes(root, names)
+        self.includes = check_layout.read_includes(root / "Filters", names)
         self.headers = [root / "Filters" / name for name in sorted(names) if name.endswith(".h")]
 
     def hash(self, sources, flags):

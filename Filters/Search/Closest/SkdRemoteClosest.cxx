@@ -72,8 +72,7 @@ public:
   void FindHere(std::size_t n, const QuestionOf& questionOf, const Set& set) const
   {
     constexpr std::size_t block = 256; // of questions that follow each other
-    SkdForEach(
-      (n + block - 1) / block,
+    SkdForEach((n + block - 1) / block,
       [&](std::size_t at)
       {
         SkdCoherentSource coherent(this->TheOwn);
