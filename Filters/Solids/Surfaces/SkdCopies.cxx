@@ -30,9 +30,9 @@ std::vector<Named> ListSuspects(
   for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle)
   {
     Corners corners = triangles[triangle];
-    std::sort(corners.begin(), corners.end());
-    if (counts[corners[0]] > SkdManyCopies)
+    if (counts[std::min({ corners[0], corners[1], corners[2] })] > SkdManyCopies)
     {
+      std::sort(corners.begin(), corners.end());
       suspects.emplace_back(corners, triangle);
     }
   }
