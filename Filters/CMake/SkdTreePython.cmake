@@ -19,6 +19,9 @@ vtk_module_wrap_python(
   BUILD_STATIC OFF
   INSTALL_HEADERS OFF)
 
+# Generated sources, of which reading the same headers is most of what it takes to compile them.
+set_target_properties(vtkFiltersSkdTreePython PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+
 # In a wheel, the library is beside the Python module, and those of VTK may be in vtkmodules.
 if (UNIX)
   set(origin "$<IF:$<PLATFORM_ID:Darwin>,@loader_path,$ORIGIN>")

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Search/Queries/OverlappingBox.h"
-#include "Core/Search/Tree/BuildLazyTree.h"
-#include "Core/Search/Tree/BuildTree.h"
-#include "Core/Search/Tree/Walk.h"
+#include "CoreSupport.h"
 
 #include <gtest/gtest.h>
 

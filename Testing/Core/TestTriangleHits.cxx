@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Triangles whose corners lie beside the packets of a tree are hit as each of them is by itself.
 #include "Core/Search/Queries/TriangleHits.h"
-#include "Core/Search/Tree/BuildTree.h"
 #include "CoreScenes.h"
+#include "CoreSupport.h"
 
 #include <gtest/gtest.h>
 

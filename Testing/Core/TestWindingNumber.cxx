@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Search/Queries/WindingNumber.h"
-#include "Core/Search/Tree/BuildTree.h"
 #include "CoreSolids.h"
+#include "CoreSupport.h"
 
 #include <gtest/gtest.h>
 
