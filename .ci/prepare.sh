@@ -50,13 +50,13 @@ install_missing() {
     apt-get install -y -q --no-install-recommends "${missing[@]}" </dev/null
 }
 
-# configure_and_build <preset> <folder> [<target>...]
+# configure_and_build <preset> <folder> [<target>...]: as is quickest for a build that nobody will edit.
 configure_and_build() {
   local preset=$1 folder=$2
   shift 2
   command -v ccache >/dev/null &&
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache CMAKE_C_COMPILER_LAUNCHER=ccache
   say "Building ($preset) into ${folder#"$root"/}"
-  (cd "$root" && cmake --preset "$preset")
+  (cd "$root" && cmake --preset "$preset" -DSKDTREE_UNITY_BUILD=ON)
   cmake --build "$folder" ${*:+--target "$@"}
 }

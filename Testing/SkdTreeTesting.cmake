@@ -3,6 +3,8 @@
 #
 # How a test is added: skdtree_add_gtest for C++, skdtree_add_python_test for pvpython or Python.
 
+include("${CMAKE_CURRENT_LIST_DIR}/../Filters/CMake/SkdTreeUnity.cmake")
+
 set(SKDTREE_TEST_ENVIRONMENT
   "SKDTREE_SOURCE_DIR=${SKDTREE_ROOT}"
   "SKDTREE_DATA_DIR=${SKDTREE_ROOT}/Data"
@@ -78,6 +80,7 @@ function (skdtree_add_gtest name)
   else ()
     add_executable("${name}" ${test_SOURCES})
     skdtree_set_test_options("${name}")
+    skdtree_compile_in_groups("${name}" 4 ${test_SOURCES})
     file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/${objects_file}" CONTENT "$<TARGET_OBJECTS:${name}>")
   endif ()
   target_link_libraries("${name}" PRIVATE skdtree_testing ${test_LIBRARIES} GTest::gtest_main)

@@ -30,13 +30,18 @@ import subprocess
 import sys
 
 import check_layout
+import source_groups
 
 NUMBER_OF_GROUPS, GROUP_SIZE = 8, 12
 CHECKS = "-clang-analyzer-*,-bugprone-suspicious-include"  # groups include sources, on purpose
 WARNING = re.compile(r"^(/.*?):(\d+:\d+: (?:warning|error): .*)$", re.M)
-OWN_SCOPE = re.compile(r"\bnamespace\s*\{")
-TYPE = re.compile(r"\b(?:class|struct|union|enum|enum class|using)\s+(\w+)")
-OTHER = re.compile(r"(\w+)\s*$")
+
+
+def read_sources(path):
+    """The path, or the paths of the sources that it puts together (SkdTreeUnity.cmake)."""
+    if path.parent.name != "Unity" or not path.is_file():
+        return [path]
+    return list(map(pathlib.Path, re.findall(r'^#include "(.*)"', path.read_text(encoding="utf8"), re.M)))
 
 
 def read_flags(root, build):
@@ -44,7 +49,9 @@ def read_flags(root, build):
     flags = {}
     for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf8")):
         path = (pathlib.Path(entry["directory"]) / entry["file"]).resolve()
-        if root / "Filters" not in path.parents or not path.is_file():
+        sources = [each for each in read_sources(path)
+            if root / "Filters" in each.parents and each.is_file()]
+        if not sources:
             continue  # another's source, or one that was there when the build was configured
         words, kept = shlex.split(entry["command"]), []
         for word, following in zip(words, words[1:] + [""]):
@@ -52,27 +59,8 @@ def read_flags(root, build):
                 kept += [word, following]
             elif re.match(r"-(I|isystem|D|U|std=|m)\S", word):
                 kept.append(word)
-        flags[path] = tuple(kept)
+        flags.update(dict.fromkeys(sources, tuple(kept)))
     return flags
-
-
-def read_own_names(text):
-    """What a source declares in namespaces without a name, on their outermost level."""
-    text, names = check_layout.blank_out(text), set()
-    for match in OWN_SCOPE.finditer(text):
-        depth, outermost = 1, []
-        for char in text[match.end():]:
-            depth += {"{": 1, "}": -1}.get(char, 0)
-            if depth == 0:
-                break
-            if depth == 1:
-                outermost.append(";" if char == "}" else char)
-        for statement in "".join(outermost).split(";"):
-            head = re.split(r"[({=]", statement)[0]
-            if re.match(r"\s*using\b", head) and "=" not in statement:
-                continue  # another's name, which several may use
-            names.update(TYPE.findall(head) + OTHER.findall(head))
-    return names
 
 
 def group(flags):
@@ -83,7 +71,7 @@ def group(flags):
     number = collections.Counter(kinds.values())
     for path in sorted(flags):
         text = path.read_text(encoding="utf8")
-        names = read_own_names(text)
+        names = source_groups.read_own_names(text)
         kind = kinds[path]
         fitting = [each for each in groups if each["kind"] == kind and not each["names"] & names]
         same = sum(each["kind"] == kind for each in groups)

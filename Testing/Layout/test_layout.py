@@ -14,6 +14,7 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import check_layout  # noqa: E402
+import source_groups  # noqa: E402
 
 
 def copy(root, to):
@@ -118,6 +119,19 @@ def test_lint(root, clang_tidy, copied):
     return wrong + (["the same sources again: " + told] if code != 0 else [])
 
 
+def test_groups(folder):
+    """The failures of source_groups.py: of two sources that know a name differently, none may be with the other."""
+    own = "namespace\n{\nint Named(int i)\n{\n  return i;\n}\n}\n"
+    texts = {"A.cxx": own, "B.cxx": own, "C.cxx": "int C() { return Named(1); }\n", "D.cxx": "int D();\n",
+        "vtkE.cxx": "int E();\n", "F.cxx": "// not Named\nint F();\n", "G.cxx": "int G();\n"}
+    for name, text in texts.items():
+        (folder / name).write_text(text, encoding="utf8")
+    groups = source_groups.group([folder / name for name in texts], 3)
+    names = [[path.name for path in each] for each in groups]
+    expected = [["A.cxx", "D.cxx", "F.cxx"], ["B.cxx", "G.cxx"], ["C.cxx"], ["vtkE.cxx"]]
+    return [] if names == expected else ["groups: %s" % names]
+
+
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     if len(sys.argv) > 2:
@@ -126,6 +140,11 @@ def main():
         print("\n".join(wrong) if wrong else "clang-tidy finds all")
         if wrong:
             return 1
+    with tempfile.TemporaryDirectory() as folder:
+        wrong = test_groups(pathlib.Path(folder))
+    if wrong:
+        print("\n".join(wrong))
+        return 1
     plan = check_layout.Plan(check_layout.PLAN)
     missed = 0
     with tempfile.TemporaryDirectory() as folder:
