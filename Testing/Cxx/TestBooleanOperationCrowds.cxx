@@ -143,7 +143,7 @@ TEST(BooleanOperationCrowds, PiecesOfTwoInputs)
 TEST(BooleanOperationCrowds, PiecesInsideOutAreNotUnited)
 {
   std::vector<Mesh> cubes = TurnedCubes(9, 4);
-  cubes[5] = Rotated(cubes[5]);
+  cubes[5] = Inverted(cubes[5]);
   const Mesh block = BoxTriangles({ -2, -1.5, -0.25 }, { 2, 1.5, 0.25 });
   vtkNew<Filter> filter;
   filter->SetInputData(MakePolyData(block));

@@ -95,7 +95,7 @@ TEST(BooleanOperationInputs, SolidsThatContainNothing)
   flat.Map([](const Point& p) { return Point{ p[0], p[1], 0.5 }; });
   EXPECT_NEAR(UnionWithBlock(flat), 8.0, 1e-13);
   Mesh canceled = Ball();
-  Append(canceled, Rotated(Ball()));
+  Append(canceled, Inverted(Ball()));
   EXPECT_NEAR(UnionWithBlock(canceled), 8.0, 1e-13);
   EXPECT_NEAR(UnionWithBlock(Mesh()), 8.0, 1e-13);
 }

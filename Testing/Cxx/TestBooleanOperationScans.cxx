@@ -152,7 +152,7 @@ TEST(BooleanOperationScans, ClosedSurfacesAreCombinedAsWithoutTheRule)
 /// Inside out, a surface has no inside where the number must be positive.
 TEST(BooleanOperationScans, NumbersAreRoundedForTheInsideRule)
 {
-  const Mesh rotated = Rotated(OpenBall());
+  const Mesh rotated = Inverted(OpenBall());
   EXPECT_GT(CombineOpen(rotated, Tool(), Filter::INTERSECTION).Surface.Cells.size(), 0u);
   EXPECT_EQ(
     CombineOpen(rotated, Tool(), Filter::INTERSECTION, Filter::POSITIVE).Surface.Cells.size(), 0u);

@@ -32,7 +32,7 @@ Mesh SheetAt(double z, double halfWidth, bool isUp = true, double x = 0.0)
       sheet.Add(VTK_TRIANGLE, { a, a + n + 2, a + 1 });
     }
   }
-  return isUp ? sheet : Rotated(sheet);
+  return isUp ? sheet : Inverted(sheet);
 }
 
 Mesh Both(Mesh a, const Mesh& b)
@@ -126,7 +126,7 @@ TEST(BooleanOperationSheets, ThatTouchABodyOrPassItByHaveItOnOneSide)
 /// A part of space is on one side, although surfaces around it are not connected.
 TEST(BooleanOperationSheets, CavitiesAreOfTheirBody)
 {
-  const Mesh hollow = Both(Box(1), Rotated(Box(0.25, 0.5)));
+  const Mesh hollow = Both(Box(1), Inverted(Box(0.25, 0.5)));
   for (const double z : { -0.875, -0.5, 0.2 })
   {
     const double below = 4.0 * (z + 1.0);

@@ -209,7 +209,7 @@ TEST(BooleanOperationSplit, SectionsAreClosedPolygons)
 TEST(BooleanOperationSplit, SectionsMayHaveHoles)
 {
   Mesh hollow = Box({ -1, -1, -1 }, { 1, 1, 1 });
-  Append(hollow, Rotated(Box({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 })));
+  Append(hollow, Inverted(Box({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 })));
   for (const bool closes : { true, false })
   {
     Split split(hollow, Sheet(0.25));

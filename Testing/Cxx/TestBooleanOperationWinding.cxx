@@ -28,7 +28,7 @@ Mesh AnyOverlaps(Random& random, std::string& what)
     const Mesh solid = MovedAnywhere(random, AnySolid(random, what), what);
     const bool isTurned = random.Index(4) == 0;
     what += isTurned ? ", inside out" : "";
-    Append(mesh, isTurned ? Rotated(solid) : solid);
+    Append(mesh, isTurned ? Inverted(solid) : solid);
     if (random.Index(6) == 0)
     {
       what += ", twice";

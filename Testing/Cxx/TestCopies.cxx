@@ -37,7 +37,7 @@ Mesh Tetrahedra(int count, int rotated = 0, bool haveOwnPoints = false)
   Mesh all = one;
   for (int i = 1; i < count; ++i)
   {
-    const Mesh next = i % 2 == 1 && i < 2 * rotated ? Rotated(one) : one;
+    const Mesh next = i % 2 == 1 && i < 2 * rotated ? Inverted(one) : one;
     if (haveOwnPoints)
     {
       Append(all, next);

@@ -54,7 +54,7 @@ TEST(PointInOutBodies, CubesThatOverlapAreTheirUnion)
   std::vector<Point> points = PointsAround(3.5, 3000);
   points.push_back({ 1.5, 1.5, 1.5 });
   ExpectSure(Together({ a, b }), points, isInside);
-  ExpectSure(Together({ Rotated(a), Rotated(b) }), points, isInside);
+  ExpectSure(Together({ Inverted(a), Inverted(b) }), points, isInside);
 }
 
 TEST(PointInOutBodies, CubesWithFacesInOnePlaneAreTheirUnion)
@@ -141,16 +141,16 @@ TEST(PointInOutBodies, WhatIsTurnedAgainstItsReadingIsNotSure)
   using Answer = std::pair<double, double>;
   const Point middle{ 2.1, 2.2, 2.3 };
   EXPECT_EQ(ask(Together({ cube, inner }), middle), Answer(0, 0.5));
-  EXPECT_EQ(ask(Together({ cube, Rotated(inner) }), middle), Answer(0, 1.0));
-  EXPECT_EQ(ask(Together({ cube, Rotated(inner) }), { 0.5, 0.6, 0.7 }), Answer(1, 1.0));
-  EXPECT_EQ(ask(Together({ cube, Rotated(beside) }), { 3.1, 3.2, 3.3 }), Answer(1, 0.5));
-  EXPECT_EQ(ask(Together({ cube, Rotated(beside) }), { 5.1, 5.2, 5.3 }), Answer(1, 1.0));
+  EXPECT_EQ(ask(Together({ cube, Inverted(inner) }), middle), Answer(0, 1.0));
+  EXPECT_EQ(ask(Together({ cube, Inverted(inner) }), { 0.5, 0.6, 0.7 }), Answer(1, 1.0));
+  EXPECT_EQ(ask(Together({ cube, Inverted(beside) }), { 3.1, 3.2, 3.3 }), Answer(1, 0.5));
+  EXPECT_EQ(ask(Together({ cube, Inverted(beside) }), { 5.1, 5.2, 5.3 }), Answer(1, 1.0));
 }
 
 TEST(PointInOutBodies, ABodyInACavityThatRunsThroughItsWall)
 {
   const Mesh hollow = Together({ BoxTriangles({ 0, 0, 0 }, { 10, 10, 10 }),
-    Rotated(BoxTriangles({ 2, 2, 2 }, { 8, 8, 8 })), BoxTriangles({ 7, 4, 4 }, { 9, 6, 6 }) });
+    Inverted(BoxTriangles({ 2, 2, 2 }, { 8, 8, 8 })), BoxTriangles({ 7, 4, 4 }, { 9, 6, 6 }) });
   ExpectSure(hollow, PointsAround(10.5, 4000),
     [](const Point& x)
     {
@@ -221,7 +221,7 @@ Mesh RandomBodies(Random& random)
       const Point middle = 0.5 * (body.Points.front() + body.Points.back());
       body.Map([&](const Point& p) { return Rounded(middle + factor * (p - middle)); });
     }
-    bodies.push_back(kind > 0 && random.Index(4) == 0 ? Rotated(body) : body);
+    bodies.push_back(kind > 0 && random.Index(4) == 0 ? Inverted(body) : body);
   }
   return Together(bodies);
 }

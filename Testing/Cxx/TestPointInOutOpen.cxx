@@ -246,9 +246,9 @@ TEST(PointInOutOpen, WithAGapFarAwayTheAnswerIsThatOfTheCompletePart)
     Bodies bodies = RandomBodies(random);
     if (part % 2)
     {
-      bodies.Whole = Together({ bodies.Whole, Rotated(RandomBodies(random).Whole) });
+      bodies.Whole = Together({ bodies.Whole, Inverted(RandomBodies(random).Whole) });
     }
-    bodies.Whole = Disoriented(bodies.Whole, Rotated(bodies.Whole), random, part % 4 > 1);
+    bodies.Whole = Disoriented(bodies.Whole, Inverted(bodies.Whole), random, part % 4 > 1);
     Remove(1 + random.Index(3), random, bodies);
     std::vector<int> numbers;
     const std::vector<Point> points = FarPoints(bodies, random, 50, numbers);

@@ -17,6 +17,7 @@ import check_layout
 OWN_SCOPE = re.compile(r"\bnamespace\s*\{")
 TYPE = re.compile(r"\b(?:class|struct|union|enum|enum class|using)\s+(\w+)")
 OTHER = re.compile(r"(\w+)\s*$")
+OPERATOR = re.compile(r"\boperator\b")
 TEST = re.compile(r"(TYPED_)?TEST|INSTANTIATE_")  # of GoogleTest: a class named by the test
 MACRO = re.compile(r"^\s*#\s*define\s+(\w+)", re.M)
 
@@ -39,13 +40,14 @@ def read_own_names(text):
                 continue  # another's name, which several may use
             if TEST.match(head.strip()):
                 continue
-            names.update(TYPE.findall(head) + OTHER.findall(head))
+            names.update(TYPE.findall(head) + OTHER.findall(head) + OPERATOR.findall(head))
     return names
 
 
 class Source:
     """What a source calls its own, and all names in it: of two that are compiled as one, no name of the one
-    may occur in the other, which might mean another thing by it."""
+    may occur in the other, which might mean another thing by it. An operator of its own has no name to tell
+    by, so its source is alone."""
 
     def __init__(self, path):
         text = path.read_text(encoding="utf8")
@@ -54,7 +56,8 @@ class Source:
         self.used = set(re.findall(r"\w+", check_layout.blank_out(text)))
 
     def goes_with(self, other):
-        return self.is_public == other.is_public and not self.own & other.used and not other.own & self.used
+        return (self.is_public == other.is_public and "operator" not in self.own | other.own and
+            not self.own & other.used and not other.own & self.used)
 
 
 def group(paths, size):

@@ -123,12 +123,13 @@ def test_groups(folder):
     """The failures of source_groups.py: of two sources that know a name differently, none may be with the other."""
     own = "namespace\n{\nint Named(int i)\n{\n  return i;\n}\n}\n"
     texts = {"A.cxx": own, "B.cxx": own, "C.cxx": "int C() { return Named(1); }\n", "D.cxx": "int D();\n",
-        "vtkE.cxx": "int E();\n", "F.cxx": "// not Named\nint F();\n", "G.cxx": "int G();\n"}
+        "vtkE.cxx": "int E();\n", "F.cxx": "// not Named\nint F();\n", "G.cxx": "int G();\n",
+        "H.cxx": "namespace\n{\nint operator-(E a, E b)\n{\n  return 0;\n}\n}\n"}
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf8")
     groups = source_groups.group([folder / name for name in texts], 3)
     names = [[path.name for path in each] for each in groups]
-    expected = [["A.cxx", "D.cxx", "F.cxx"], ["B.cxx", "G.cxx"], ["C.cxx"], ["vtkE.cxx"]]
+    expected = [["A.cxx", "D.cxx", "F.cxx"], ["B.cxx", "G.cxx"], ["C.cxx"], ["H.cxx"], ["vtkE.cxx"]]
     return [] if names == expected else ["groups: %s" % names]
 
 

@@ -54,7 +54,7 @@ inline std::optional<int> ExactWindingNumber(const Mesh& triangles, const Point&
   return sum;
 }
 
-inline Mesh Rotated(Mesh mesh)
+inline Mesh Inverted(Mesh mesh)
 {
   for (CellSpec& cell : mesh.Cells)
   {

@@ -117,7 +117,7 @@ Mesh ConvexHull(Random& random)
 Mesh Cavity(Random& random)
 {
   Mesh mesh = NoisySphere(random);
-  Append(mesh, Rotated(Transformed(NoisySphere(random), 0.2, { 0, 0, 0 })));
+  Append(mesh, Inverted(Transformed(NoisySphere(random), 0.2, { 0, 0, 0 })));
   return mesh;
 }
 

@@ -194,7 +194,7 @@ inline Mesh AnySolid(Random& random, std::string& what)
     {
       what += solid.Kind;
       const bool isTurned = Measures(solid.Triangles).Volume < 0.0;
-      return isTurned ? Rotated(solid.Triangles) : solid.Triangles;
+      return isTurned ? Inverted(solid.Triangles) : solid.Triangles;
     }
   }
 }
