@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Triangles whose corners lie beside the packets of a tree are hit as each of them is by itself.
+#include "Core/Search/Queries/PacketHits.h"
 #include "Core/Search/Queries/TriangleHits.h"
 #include "CoreScenes.h"
 #include "CoreSupport.h"
@@ -86,6 +87,21 @@ public:
   template <bool InOrder, class Visitor>
   void Visit(const Segment<3>& segment, double tolerance, Visitor visitor) const
   {
+    skd::VisitTriangleHits<InOrder>(
+      this->TheTree.View(), this->GetPackets(), segment, tolerance, visitor);
+  }
+
+  template <bool InOrder, class Visitor>
+  bool VisitPacket(const std::vector<Segment<3>>& segments, double maxSpread, double tolerance,
+    Visitor visitor) const
+  {
+    return skd::VisitPacketHits<InOrder>(this->TheTree.View(), this->GetPackets(), segments.data(),
+      static_cast<int>(segments.size()), maxSpread, tolerance, visitor);
+  }
+
+private:
+  skd::TrianglePackets GetPackets() const
+  {
     skd::PacketPoints points;
     if constexpr (std::is_same_v<Real, float>)
     {
@@ -95,11 +111,9 @@ public:
     {
       points.Doubles = this->Points.data();
     }
-    const skd::TrianglePackets packets(this->Packets.data(), points);
-    skd::VisitTriangleHits<InOrder>(this->TheTree.View(), packets, segment, tolerance, visitor);
+    return { this->Packets.data(), points };
   }
 
-private:
   static skd::TreeInput<3> InputOf(const Mesh& mesh, int capacity, double epsilon)
   {
     Boxes<3> boxes(mesh.Triangles.size());
@@ -234,6 +248,71 @@ Segment<3> MakeSegment(Random& random, const Mesh& mesh, const Setting& setting)
   return segment;
 }
 
+/// Two to eight lines that begin and end about where one does: the same, so near that they run
+/// the same way, or anywhere; one of them may be of no length, or not finite.
+std::vector<Segment<3>> MakePacket(Random& random, const Mesh& mesh, const Setting& setting)
+{
+  const Segment<3> middle = MakeSegment(random, mesh, setting);
+  const double spread[] = { 0.0, 1e-6, 0.01, 0.3, 4.0 };
+  const double most = setting.Scale * spread[random.Below(5)];
+  const bool isParallel = random.Below(2) == 0;
+  std::vector<Segment<3>> segments(2 + random.Below(7));
+  for (Segment<3>& segment : segments)
+  {
+    const Vector3 aside = random.Point<3>(-most, most);
+    segment = { middle.A + aside, middle.B + (isParallel ? aside : random.Point<3>(-most, most)) };
+  }
+  if (random.Below(4) == 0)
+  {
+    segments[random.Below(segments.size())] = MakeSegment(random, mesh, setting);
+  }
+  return segments;
+}
+
+/// What all or the first of the hits of each line are. Returns whether they were a packet.
+template <bool InOrder, class Real>
+bool ExpectPacketAsOneByOne(const Mesh& mesh, const Packed<Real>& packed,
+  const std::vector<Segment<3>>& segments, double tolerance)
+{
+  std::vector<Hits> found(segments.size());
+  const bool isPacket = packed.template VisitPacket<InOrder>(segments, HUGE_VAL, tolerance,
+    [&](int line, std::uint32_t triangle, const TriangleHit& hit)
+    {
+      Hits& hits = found[static_cast<std::size_t>(line)];
+      hits.push_back(ToTuple(triangle, hit));
+      return InOrder ? std::get<0>(*std::min_element(hits.begin(), hits.end())) : 1.0;
+    });
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    Hits expected = isPacket ? OneByOne(mesh, segments[i], tolerance) : Hits();
+    std::sort(found[i].begin(), found[i].end());
+    expected.resize(InOrder ? std::min<std::size_t>(expected.size(), 1) : expected.size());
+    found[i].resize(InOrder ? std::min<std::size_t>(found[i].size(), 1) : found[i].size());
+    EXPECT_EQ(found[i], expected);
+  }
+  return isPacket;
+}
+
+template <class Real>
+void CheckPackets(const Setting& setting)
+{
+  Random random(11);
+  int packets = 0;
+  for (const std::size_t count : { 1, 8, 9, 65, 700 })
+  {
+    const Mesh mesh = MakeMesh(random, count, setting.IsWhole, setting.Offset, setting.Scale);
+    const Packed<Real> packed(mesh, 8, 1e-9 * setting.Scale);
+    for (int i = 0; i < 60; ++i)
+    {
+      const double tolerance = i % 3 == 0 ? 0.05 * setting.Scale : 0.0;
+      const std::vector<Segment<3>> segments = MakePacket(random, mesh, setting);
+      packets += ExpectPacketAsOneByOne<true>(mesh, packed, segments, tolerance) ? 1 : 0;
+      packets += ExpectPacketAsOneByOne<false>(mesh, packed, segments, tolerance) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(packets, 100);
+}
+
 template <class Real>
 void Check(const Setting& setting)
 {
@@ -275,6 +354,39 @@ TEST(TriangleHits, FarAndTinyTrianglesAreHitAsEachIs)
   Check<double>({ false, Filled<3>(1e6), 1e-3 });
   Check<double>({ true, Filled<3>(0.0), 1e-150 });
   Check<double>({ true, Filled<3>(0.0), 1e100 });
+}
+
+TEST(PacketHits, AreThoseOfEachLine)
+{
+  CheckPackets<double>({ false, Filled<3>(0.0), 1.0 });
+  CheckPackets<double>({ true, Filled<3>(0.0), 1.0 });
+  CheckPackets<float>({ true, Filled<3>(16.0), 0.125 });
+}
+
+TEST(PacketHits, OfFarAndTinyTrianglesAreThoseOfEachLine)
+{
+  CheckPackets<double>({ false, Filled<3>(1e6), 1e-3 });
+  CheckPackets<double>({ true, Filled<3>(0.0), 1e-150 });
+  CheckPackets<double>({ true, Filled<3>(0.0), 1e100 });
+}
+
+TEST(PacketHits, AreOfLinesThatAreNearEachOtherAndRunTheSameWay)
+{
+  Random random(3);
+  const Packed<double> packed(MakeMesh(random, 65, false, Filled<3>(0.0), 1.0), 8, 1e-9);
+  const auto isPacket = [&](const Segment<3>& a, const Segment<3>& b)
+  {
+    return packed.VisitPacket<true>(
+      { a, b }, 0.5, 0.0, [](int, std::uint32_t, const TriangleHit&) { return 1.0; });
+  };
+  const Segment<3> segment{ { { -9.0, 0.1, 0.1 } }, { { 9.0, 0.2, 0.2 } } };
+  const Segment<3> farther{ { { -9.0, 0.1, 0.1 } }, { { 9.0, 0.8, 0.2 } } };
+  const Segment<3> otherWay{ { { -9.0, 0.1, 0.1 } }, { { 9.0, 0.0, 0.2 } } };
+  const Segment<3> unknown{ { { -9.0, 0.1, 0.1 } }, { { 9.0, NAN, 0.2 } } };
+  EXPECT_TRUE(isPacket(segment, segment));
+  EXPECT_FALSE(isPacket(segment, farther));
+  EXPECT_FALSE(isPacket(segment, otherWay));
+  EXPECT_FALSE(isPacket(segment, unknown));
 }
 
 }

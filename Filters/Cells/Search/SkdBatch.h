@@ -142,6 +142,28 @@ public:
     }
   }
 
+  /// The same of up to `Most` at once: calls body(slots, count).
+  template <int Most, class Body>
+  void ForEachFewIn(vtkIdType piece, const Body& body) const
+  {
+    vtkIdType slots[Most];
+    int count = 0;
+    this->ForEachIn(piece,
+      [&](vtkIdType slot)
+      {
+        slots[count++] = slot;
+        if (count == Most)
+        {
+          body(slots, count);
+          count = 0;
+        }
+      });
+    if (count > 0)
+    {
+      body(slots, count);
+    }
+  }
+
 private:
   void Arrange();
   /// Of lines: in the mean of some of them at most half as long as the box of their centres.

@@ -14,6 +14,7 @@
 #include "vtkDoubleArray.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -133,6 +134,21 @@ struct SkdHitOutputs
   vtkDoubleArray* Points;
 };
 
+/// The first hits of a few lines: of all at once, if they run nearly alike.
+inline void SkdFindFirstHitsOf(const SkdLineSearch& queries, const SkdBatchLine* lines, int count,
+  const SkdCellSource& source, SkdHitCell* hits)
+{
+  skd::Segment<3> segments[SkdLinesAtOnce];
+  std::transform(lines, lines + count, segments,
+    [&](const SkdBatchLine& line) { return queries.Segment(line); });
+  if (!queries.Tree.FindFirstHits(segments, count, queries.Tolerance, hits))
+  {
+    std::transform(segments, segments + count, hits,
+      [&](const skd::Segment<3>& segment)
+      { return queries.Tree.FindFirstHit(segment, queries.Tolerance, source); });
+  }
+}
+
 template <class Lines>
 vtkIdType SkdFindFirstHits(const SkdLineSearch& queries, const SkdBatch& batch, const Lines& lines,
   const SkdHitOutputs& outputs)
@@ -141,18 +157,32 @@ vtkIdType SkdFindFirstHits(const SkdLineSearch& queries, const SkdBatch& batch, 
   vtkIdType* ids = SkdPrepare(outputs.CellIds, "SkdCellId", 1, size);
   double* ts = SkdPrepare(outputs.Parameters, outputs.ParameterName, 1, size);
   double* xs = SkdPrepare(outputs.Points, "SkdPoint", 3, size);
-  return batch.CountTrue([&] { return queries.Source(); },
-    [&](const SkdCellSource& source, vtkIdType slot)
+  std::atomic<vtkIdType> total(0);
+  batch.ForEachPiece(
+    [&](vtkIdType piece)
     {
-      const SkdBatchLine line = lines.Get(slot);
-      const SkdHitCell hit =
-        queries.Tree.FindFirstHit(queries.Segment(line), queries.Tolerance, source);
-      const bool isHit = hit.Id >= 0;
-      SkdStoreAt(ids, slot, hit.Id);
-      SkdStoreAt(ts, slot, isHit ? hit.T * line.Scale : vtkMath::Nan());
-      SkdStoreAt(xs, slot, isHit ? line.At(hit.T) : SkdNoPoint());
-      return isHit;
+      const SkdCellSource source = queries.Source();
+      vtkIdType found = 0;
+      batch.ForEachFewIn<SkdLinesAtOnce>(piece,
+        [&](const vtkIdType* slots, int count)
+        {
+          SkdBatchLine some[SkdLinesAtOnce];
+          SkdHitCell hits[SkdLinesAtOnce];
+          std::transform(
+            slots, slots + count, some, [&](vtkIdType slot) { return lines.Get(slot); });
+          SkdFindFirstHitsOf(queries, some, count, source, hits);
+          for (int i = 0; i < count; ++i)
+          {
+            const bool isHit = hits[i].Id >= 0;
+            SkdStoreAt(ids, slots[i], hits[i].Id);
+            SkdStoreAt(ts, slots[i], isHit ? hits[i].T * some[i].Scale : vtkMath::Nan());
+            SkdStoreAt(xs, slots[i], isHit ? some[i].At(hits[i].T) : SkdNoPoint());
+            found += isHit ? 1 : 0;
+          }
+        });
+      total += found;
     });
+  return total;
 }
 
 struct SkdListedHit

@@ -12,12 +12,14 @@
 #include "Core/Geometry/Intersection/SegmentPolygon.h"
 #include "Core/Search/LeafFilters/TriangleLeafFilters.h"
 #include "Core/Search/Queries/AlongSegment.h"
+#include "Core/Search/Queries/PacketHits.h"
 #include "Core/Search/Queries/TriangleHits.h"
 
 #include "vtkCell.h"
 #include "vtkDataSet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace skdtree
@@ -199,6 +201,46 @@ bool SkdCellTree::VisitTriangleHits(
     skd::VisitTriangleHits<InOrder>(this->View, this->Packets, segment, tolerance, visitor);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+// A packet gains while its lines are about a leaf apart: rows of 8 lines of a picture took 0.73 of
+// the time of single ones where they were 60 over the root of the number of cells apart, in the
+// frame (bunny, 7 * 10^4), 0.83 at 100 and 1.07 at 200 (dragon, 9 * 10^5).
+bool SkdCellTree::FindFirstHits(
+  const skd::Segment<3>* segments, int count, double tolerance, SkdHitCell* firsts) const
+{
+  if (this->Distinct)
+  {
+    return this->Distinct->FindFirstHits(segments, count, tolerance, firsts);
+  }
+  if (count < 2 || !this->Packets.HavePoints())
+  {
+    return false;
+  }
+  auto take = [&](int line, std::uint32_t cell, const skd::TriangleHit& hit)
+  {
+    const SkdHitCell found = WithId(SkdTriangleKernel::From(hit), this->Store.IdOf(cell));
+    if (firsts[line].Id < 0 || IsBefore(found, firsts[line]))
+    {
+      firsts[line] = found;
+    }
+    return firsts[line].T;
+  };
+  const double maxDistance = std::max(tolerance, 0.0);
+  const double maxSpread = 64.0 / (std::sqrt(this->Store.NumberOfCells()) * this->GetFrame().Scale);
+  bool areAlike = false;
+  const auto wide = [&](const SkdWideTree& tree)
+  {
+    areAlike = SkdWideWalks::VisitPacketHits(
+      tree, segments, count, maxSpread, maxDistance, SkdWidePacketHits::Of<skd::TriangleHit>(take));
+  };
+  if (!this->WalkWide(wide))
+  {
+    areAlike = skd::VisitPacketHits<true>(
+      this->View, this->Packets, segments, count, maxSpread, maxDistance, take);
+  }
+  return areAlike;
 }
 
 //------------------------------------------------------------------------------

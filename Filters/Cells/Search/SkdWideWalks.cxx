@@ -21,6 +21,7 @@
 #include "Core/Search/Queries/AlongSegment.h"
 #include "Core/Search/Queries/Nearest.h"
 #include "Core/Search/Queries/OverlappingBox.h"
+#include "Core/Search/Queries/PacketHits.h"
 #include "Core/Search/Queries/TriangleHits.h"
 #include "Core/Search/Queries/WithinBox.h"
 #include "Core/Search/Tree/TreeView.h"
@@ -151,5 +152,15 @@ void SkdWideWalks::VisitTriangleHits(const SkdWideTree& tree, const void* segmen
       skd::VisitTriangleHits<decltype(order)::value>(
         ViewOf(tree), PacketsOf(tree), SegmentAt(segment), tolerance, take);
     });
+}
+
+//------------------------------------------------------------------------------
+bool SkdWideWalks::VisitPacketHits(const SkdWideTree& tree, const void* segments, int count,
+  double maxSpread, double tolerance, const SkdWidePacketHits& visitor)
+{
+  auto take = [&visitor](int line, std::uint32_t cell, const skd::TriangleHit& hit)
+  { return visitor.Call(visitor.Self, line, cell, &hit); };
+  return skd::VisitPacketHits<true>(ViewOf(tree), PacketsOf(tree),
+    static_cast<const skd::Segment<3>*>(segments), count, maxSpread, tolerance, take);
 }
 }

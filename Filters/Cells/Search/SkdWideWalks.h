@@ -56,6 +56,21 @@ struct SkdWideHits
   void* Self;
 };
 
+/// The same of some lines: which of them it is.
+struct SkdWidePacketHits
+{
+  template <class Hit, class Visitor>
+  static SkdWidePacketHits Of(Visitor& visitor)
+  {
+    return { [](void* self, int line, std::uint32_t cell, const void* hit) -> double
+      { return (*static_cast<Visitor*>(self))(line, cell, *static_cast<const Hit*>(hit)); },
+      &visitor };
+  }
+
+  double (*Call)(void*, int line, std::uint32_t cell, const void* hit);
+  void* Self;
+};
+
 /// skd::Nearest, skd::AlongSegment and skd::VisitTriangleHits with the leaf filters of
 /// Core/Search/LeafFilters/TriangleLeafFilters.h, and skd::WithinBox of a point with that of
 /// PlaneLeafFilter.h.
@@ -81,6 +96,9 @@ public:
     bool inOrder, const SkdWideVisitor& visitor);
   static void VisitTriangleHits(const SkdWideTree& tree, const void* segment, double tolerance,
     bool inOrder, const SkdWideHits& visitor);
+  /// skd::VisitPacketHits, in order, of skd::Segment<3>.
+  static bool VisitPacketHits(const SkdWideTree& tree, const void* segments, int count,
+    double maxSpread, double tolerance, const SkdWidePacketHits& visitor);
 };
 }
 

@@ -49,6 +49,14 @@ public:
     ForEachAxis<Count>([&](int i) { StoreAs(this->Registers[i], to + i * NativeDoubles); });
   }
 
+  /// The same, each for every lane of operations on boxes.
+  friend void SpreadOut(const AxisLanes& from, Spread* to)
+  {
+    float values[Room];
+    from.StorePadded(values);
+    ForEachAxis<Room>([&](int i) { to[i] = Spread(values[i]); });
+  }
+
   friend AxisLanes operator+(const AxisLanes& a, const AxisLanes& b)
   {
     return Map(a, b, [](DoubleVector x, DoubleVector y) { return x + y; });
