@@ -94,6 +94,9 @@ public:
     }
   }
 
+  /// One past the last index of the order that is in a piece.
+  vtkIdType EndOf(vtkIdType piece) const { return std::min(this->Count, (piece + 1) * PieceSize); }
+
   /// The slot at an index of the order.
   vtkIdType GetSlot(vtkIdType at) const
   {
@@ -135,7 +138,7 @@ public:
   template <class Body>
   void ForEachIn(vtkIdType piece, const Body& body) const
   {
-    const vtkIdType end = std::min(this->Count, (piece + 1) * PieceSize);
+    const vtkIdType end = this->EndOf(piece);
     for (vtkIdType at = piece * PieceSize; at < end; ++at)
     {
       body(this->GetSlot(at));

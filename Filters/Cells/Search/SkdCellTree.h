@@ -152,11 +152,14 @@ public:
   /// SkdLineQueries.cxx. A negative tolerance counts as zero. Vectors are the calling thread's.
   SkdHitCell FindFirstHit(
     const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const;
+  ///@{
   /// FindFirstHit of at most SkdLinesAtOnce lines that run nearly alike, into as many answers that
   /// have found nothing yet. False: they do not, or not all cells are triangles, and each is to be
   /// asked by itself.
+  bool AreAlike(const skd::Segment<3>* segments, int count) const;
   bool FindFirstHits(
     const skd::Segment<3>* segments, int count, double tolerance, SkdHitCell* firsts) const;
+  ///@}
   const std::vector<SkdHitCell>& FindHits(
     const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const;
   /// Of the bounds that the cells have after the motion, unless nullptr; the segment is there, too.
@@ -275,6 +278,7 @@ private:
 
   skd::ReadInput<3> MakeInput(const SkdTreeSettings& settings);
   void FindEqualCells(const SkdTreeSettings& settings);
+  double MaxSpreadOfLines() const;
   /// The tree for queries that need one of equal cells only.
   const SkdCellTree& WithoutEqual() const { return this->Distinct ? *this->Distinct : *this; }
 

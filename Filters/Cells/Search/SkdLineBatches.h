@@ -134,19 +134,59 @@ struct SkdHitOutputs
   vtkDoubleArray* Points;
 };
 
+/// Whether lines of a piece run about as the next one does: most of some of them.
+template <class Lines>
+bool SkdAreNeighbours(
+  const SkdLineSearch& queries, const SkdBatch& batch, const Lines& lines, vtkIdType piece)
+{
+  constexpr vtkIdType step = SkdBatch::PieceSize / 8;
+  int surplus = 0;
+  for (vtkIdType at = piece * SkdBatch::PieceSize; at + 1 < batch.EndOf(piece); at += step)
+  {
+    const skd::Segment<3> pair[] = { queries.Segment(lines.Get(batch.GetSlot(at))),
+      queries.Segment(lines.Get(batch.GetSlot(at + 1))) };
+    surplus += queries.Tree.AreAlike(pair, 2) ? 1 : -1;
+  }
+  return surplus > 0;
+}
+
 /// The first hits of a few lines: of all at once, if they run nearly alike.
-inline void SkdFindFirstHitsOf(const SkdLineSearch& queries, const SkdBatchLine* lines, int count,
+template <int Most>
+void SkdFindFirstHitsOf(const SkdLineSearch& queries, const SkdBatchLine* lines, int count,
   const SkdCellSource& source, SkdHitCell* hits)
 {
-  skd::Segment<3> segments[SkdLinesAtOnce];
+  skd::Segment<3> segments[Most];
   std::transform(lines, lines + count, segments,
     [&](const SkdBatchLine& line) { return queries.Segment(line); });
-  if (!queries.Tree.FindFirstHits(segments, count, queries.Tolerance, hits))
+  if (Most == 1 || !queries.Tree.FindFirstHits(segments, count, queries.Tolerance, hits))
   {
     std::transform(segments, segments + count, hits,
       [&](const skd::Segment<3>& segment)
       { return queries.Tree.FindFirstHit(segment, queries.Tolerance, source); });
   }
+}
+
+/// Returns how many of the lines of a piece, of which up to `Most` are asked at once, have a hit.
+template <int Most, class Lines, class Store>
+vtkIdType SkdFindFirstHitsIn(const SkdLineSearch& queries, const SkdBatch& batch,
+  const Lines& lines, vtkIdType piece, const Store& store)
+{
+  const SkdCellSource source = queries.Source();
+  vtkIdType found = 0;
+  batch.ForEachFewIn<Most>(piece,
+    [&](const vtkIdType* slots, int count)
+    {
+      SkdBatchLine some[Most];
+      SkdHitCell hits[Most];
+      std::transform(slots, slots + count, some, [&](vtkIdType slot) { return lines.Get(slot); });
+      SkdFindFirstHitsOf<Most>(queries, some, count, source, hits);
+      for (int i = 0; i < count; ++i)
+      {
+        store(slots[i], some[i], hits[i]);
+        found += hits[i].Id >= 0 ? 1 : 0;
+      }
+    });
+  return found;
 }
 
 template <class Lines>
@@ -157,30 +197,20 @@ vtkIdType SkdFindFirstHits(const SkdLineSearch& queries, const SkdBatch& batch, 
   vtkIdType* ids = SkdPrepare(outputs.CellIds, "SkdCellId", 1, size);
   double* ts = SkdPrepare(outputs.Parameters, outputs.ParameterName, 1, size);
   double* xs = SkdPrepare(outputs.Points, "SkdPoint", 3, size);
+  const auto store = [&](vtkIdType slot, const SkdBatchLine& line, const SkdHitCell& hit)
+  {
+    const bool isHit = hit.Id >= 0;
+    SkdStoreAt(ids, slot, hit.Id);
+    SkdStoreAt(ts, slot, isHit ? hit.T * line.Scale : vtkMath::Nan());
+    SkdStoreAt(xs, slot, isHit ? line.At(hit.T) : SkdNoPoint());
+  };
   std::atomic<vtkIdType> total(0);
   batch.ForEachPiece(
     [&](vtkIdType piece)
     {
-      const SkdCellSource source = queries.Source();
-      vtkIdType found = 0;
-      batch.ForEachFewIn<SkdLinesAtOnce>(piece,
-        [&](const vtkIdType* slots, int count)
-        {
-          SkdBatchLine some[SkdLinesAtOnce];
-          SkdHitCell hits[SkdLinesAtOnce];
-          std::transform(
-            slots, slots + count, some, [&](vtkIdType slot) { return lines.Get(slot); });
-          SkdFindFirstHitsOf(queries, some, count, source, hits);
-          for (int i = 0; i < count; ++i)
-          {
-            const bool isHit = hits[i].Id >= 0;
-            SkdStoreAt(ids, slots[i], hits[i].Id);
-            SkdStoreAt(ts, slots[i], isHit ? hits[i].T * some[i].Scale : vtkMath::Nan());
-            SkdStoreAt(xs, slots[i], isHit ? some[i].At(hits[i].T) : SkdNoPoint());
-            found += isHit ? 1 : 0;
-          }
-        });
-      total += found;
+      total += SkdAreNeighbours(queries, batch, lines, piece)
+        ? SkdFindFirstHitsIn<SkdLinesAtOnce>(queries, batch, lines, piece, store)
+        : SkdFindFirstHitsIn<1>(queries, batch, lines, piece, store);
     });
   return total;
 }

@@ -207,6 +207,18 @@ bool SkdCellTree::VisitTriangleHits(
 // A packet gains while its lines are about a leaf apart: rows of 8 lines of a picture took 0.73 of
 // the time of single ones where they were 60 over the root of the number of cells apart, in the
 // frame (bunny, 7 * 10^4), 0.83 at 100 and 1.07 at 200 (dragon, 9 * 10^5).
+double SkdCellTree::MaxSpreadOfLines() const
+{
+  return 64.0 / (std::sqrt(this->Store.NumberOfCells()) * this->GetFrame().Scale);
+}
+
+bool SkdCellTree::AreAlike(const skd::Segment<3>* segments, int count) const
+{
+  const SkdCellTree& tree = this->WithoutEqual();
+  return tree.Packets.HavePoints() &&
+    skd::LinePacket::AreAlike(segments, count, tree.MaxSpreadOfLines());
+}
+
 bool SkdCellTree::FindFirstHits(
   const skd::Segment<3>* segments, int count, double tolerance, SkdHitCell* firsts) const
 {
@@ -228,7 +240,7 @@ bool SkdCellTree::FindFirstHits(
     return firsts[line].T;
   };
   const double maxDistance = std::max(tolerance, 0.0);
-  const double maxSpread = 64.0 / (std::sqrt(this->Store.NumberOfCells()) * this->GetFrame().Scale);
+  const double maxSpread = this->MaxSpreadOfLines();
   bool areAlike = false;
   const auto wide = [&](const SkdWideTree& tree)
   {
