@@ -8,8 +8,11 @@
 # has the group that it got for the first.
 function (skdtree_compile_in_groups target size)
   set_target_properties("${target}" PROPERTIES UNITY_BUILD OFF)
+  if (NOT SKDTREE_UNITY_BUILD)
+    return ()
+  endif ()
   find_package(Python3 QUIET COMPONENTS Interpreter)
-  if (NOT SKDTREE_UNITY_BUILD OR NOT Python3_Interpreter_FOUND)
+  if (NOT Python3_Interpreter_FOUND)
     return ()
   endif ()
   set(sources)

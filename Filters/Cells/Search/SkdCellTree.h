@@ -84,7 +84,7 @@ struct SkdCrossings
   std::vector<vtkIdType> Cells;
 };
 
-/// How many lines are asked at once.
+/// The number of lines that SkdCellTree::FindFirstHits takes.
 constexpr int SkdLinesAtOnce = 8;
 
 /// The test for the intersection of a cell and a box: by the cell itself, or by its safety box
@@ -152,14 +152,12 @@ public:
   /// SkdLineQueries.cxx. A negative tolerance counts as zero. Vectors are the calling thread's.
   SkdHitCell FindFirstHit(
     const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const;
-  ///@{
-  /// FindFirstHit of at most SkdLinesAtOnce lines that run nearly alike, into as many answers that
-  /// have found nothing yet. False: they do not, or not all cells are triangles, and each is to be
-  /// asked by itself.
+  /// Whether lines begin and end so near each other that FindFirstHits pays. Of triangles only.
   bool AreAlike(const skd::Segment<3>* segments, int count) const;
+  /// FindFirstHit of at most SkdLinesAtOnce lines, into as many answers that have found nothing
+  /// yet. False: they are not alike, or run different ways, and each is to be asked by itself.
   bool FindFirstHits(
     const skd::Segment<3>* segments, int count, double tolerance, SkdHitCell* firsts) const;
-  ///@}
   const std::vector<SkdHitCell>& FindHits(
     const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const;
   /// Of the bounds that the cells have after the motion, unless nullptr; the segment is there, too.

@@ -150,15 +150,32 @@ bool SkdAreNeighbours(
   return surplus > 0;
 }
 
+/// The first hits of the lines of a piece, one by one; returns how many there are. What is called
+/// for each of them has two callers, so compilers do not inline it of themselves.
+template <class Lines, class Store>
+SKD_FLATTEN vtkIdType SkdFindHitOfEach(const SkdLineSearch& queries, const SkdBatch& batch,
+  const Lines& lines, vtkIdType piece, const Store& store)
+{
+  const SkdCellSource source = queries.Source();
+  vtkIdType found = 0;
+  batch.ForEachIn(piece,
+    [&](vtkIdType slot)
+    {
+      const SkdBatchLine line = lines.Get(slot);
+      found += store(
+        slot, line, queries.Tree.FindFirstHit(queries.Segment(line), queries.Tolerance, source));
+    });
+  return found;
+}
+
 /// The first hits of a few lines: of all at once, if they run nearly alike.
-template <int Most>
-void SkdFindFirstHitsOf(const SkdLineSearch& queries, const SkdBatchLine* lines, int count,
+inline void SkdFindHitsOfFew(const SkdLineSearch& queries, const SkdBatchLine* lines, int count,
   const SkdCellSource& source, SkdHitCell* hits)
 {
-  skd::Segment<3> segments[Most];
+  skd::Segment<3> segments[SkdLinesAtOnce];
   std::transform(lines, lines + count, segments,
     [&](const SkdBatchLine& line) { return queries.Segment(line); });
-  if (Most == 1 || !queries.Tree.FindFirstHits(segments, count, queries.Tolerance, hits))
+  if (!queries.Tree.FindFirstHits(segments, count, queries.Tolerance, hits))
   {
     std::transform(segments, segments + count, hits,
       [&](const skd::Segment<3>& segment)
@@ -166,24 +183,23 @@ void SkdFindFirstHitsOf(const SkdLineSearch& queries, const SkdBatchLine* lines,
   }
 }
 
-/// Returns how many of the lines of a piece, of which up to `Most` are asked at once, have a hit.
-template <int Most, class Lines, class Store>
-vtkIdType SkdFindFirstHitsIn(const SkdLineSearch& queries, const SkdBatch& batch,
+/// As SkdFindHitOfEach, of a piece whose lines are neighbours.
+template <class Lines, class Store>
+vtkIdType SkdFindHitsOfNeighbours(const SkdLineSearch& queries, const SkdBatch& batch,
   const Lines& lines, vtkIdType piece, const Store& store)
 {
   const SkdCellSource source = queries.Source();
   vtkIdType found = 0;
-  batch.ForEachFewIn<Most>(piece,
+  batch.ForEachFewIn<SkdLinesAtOnce>(piece,
     [&](const vtkIdType* slots, int count)
     {
-      SkdBatchLine some[Most];
-      SkdHitCell hits[Most];
+      SkdBatchLine some[SkdLinesAtOnce];
+      SkdHitCell hits[SkdLinesAtOnce];
       std::transform(slots, slots + count, some, [&](vtkIdType slot) { return lines.Get(slot); });
-      SkdFindFirstHitsOf<Most>(queries, some, count, source, hits);
+      SkdFindHitsOfFew(queries, some, count, source, hits);
       for (int i = 0; i < count; ++i)
       {
-        store(slots[i], some[i], hits[i]);
-        found += hits[i].Id >= 0 ? 1 : 0;
+        found += store(slots[i], some[i], hits[i]);
       }
     });
   return found;
@@ -203,14 +219,15 @@ vtkIdType SkdFindFirstHits(const SkdLineSearch& queries, const SkdBatch& batch, 
     SkdStoreAt(ids, slot, hit.Id);
     SkdStoreAt(ts, slot, isHit ? hit.T * line.Scale : vtkMath::Nan());
     SkdStoreAt(xs, slot, isHit ? line.At(hit.T) : SkdNoPoint());
+    return isHit ? 1 : 0;
   };
   std::atomic<vtkIdType> total(0);
   batch.ForEachPiece(
     [&](vtkIdType piece)
     {
       total += SkdAreNeighbours(queries, batch, lines, piece)
-        ? SkdFindFirstHitsIn<SkdLinesAtOnce>(queries, batch, lines, piece, store)
-        : SkdFindFirstHitsIn<1>(queries, batch, lines, piece, store);
+        ? SkdFindHitsOfNeighbours(queries, batch, lines, piece, store)
+        : SkdFindHitOfEach(queries, batch, lines, piece, store);
     });
   return total;
 }

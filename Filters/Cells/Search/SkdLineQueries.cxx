@@ -239,6 +239,7 @@ bool SkdCellTree::FindFirstHits(
     }
     return firsts[line].T;
   };
+  static_assert(SkdLinesAtOnce <= skd::LinePacket::Width);
   const double maxDistance = std::max(tolerance, 0.0);
   const double maxSpread = this->MaxSpreadOfLines();
   bool areAlike = false;
@@ -249,7 +250,7 @@ bool SkdCellTree::FindFirstHits(
   };
   if (!this->WalkWide(wide))
   {
-    areAlike = skd::VisitPacketHits<true>(
+    areAlike = skd::VisitPacketHits(
       this->View, this->Packets, segments, count, maxSpread, maxDistance, take);
   }
   return areAlike;

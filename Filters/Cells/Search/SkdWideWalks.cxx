@@ -160,7 +160,7 @@ bool SkdWideWalks::VisitPacketHits(const SkdWideTree& tree, const void* segments
 {
   auto take = [&visitor](int line, std::uint32_t cell, const skd::TriangleHit& hit)
   { return visitor.Call(visitor.Self, line, cell, &hit); };
-  return skd::VisitPacketHits<true>(ViewOf(tree), PacketsOf(tree),
+  return skd::VisitPacketHits(ViewOf(tree), PacketsOf(tree),
     static_cast<const skd::Segment<3>*>(segments), count, maxSpread, tolerance, take);
 }
 }

@@ -96,7 +96,7 @@ public:
     bool inOrder, const SkdWideVisitor& visitor);
   static void VisitTriangleHits(const SkdWideTree& tree, const void* segment, double tolerance,
     bool inOrder, const SkdWideHits& visitor);
-  /// skd::VisitPacketHits, in order, of skd::Segment<3>.
+  /// skd::VisitPacketHits of skd::Segment<3>.
   static bool VisitPacketHits(const SkdWideTree& tree, const void* segments, int count,
     double maxSpread, double tolerance, const SkdWidePacketHits& visitor);
 };

@@ -6,6 +6,11 @@
 #include "../../Geometry/Segment.h"
 #include "../Tree/AxisLanes.h"
 #include "../Tree/Frame.h"
+#include "../Tree/Tolerances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace skd
 {

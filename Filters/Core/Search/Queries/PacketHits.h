@@ -15,11 +15,11 @@ namespace skd
 /// which the first of them comes to it; in a leaf each line has its own leaf filter and exact test.
 ///
 /// `visitor(line, element, hit)`: as that of VisitTriangleHits.
-template <bool InOrder, class Visitor>
+template <class Visitor>
 class AlongLines
 {
 public:
-  static constexpr bool Ordered = InOrder;
+  static constexpr bool Ordered = true;
   static constexpr bool SkipsLeaves = true;
   static constexpr bool GivesKeys = false;
 
@@ -111,10 +111,10 @@ private:
   std::optional<One> Lines[LinePacket::Width];
 };
 
-/// VisitTriangleHits() of lines, at most LinePacket::Width, that run the same way along each axis
-/// and whose ends are no farther apart along it than `maxSpread`. False: they are, or do not, or
-/// there is only one, and nothing was done.
-template <bool InOrder, class Visitor>
+/// VisitTriangleHits() in order, of lines, at most LinePacket::Width, that run the same way along
+/// each axis and whose ends are no farther apart along it than `maxSpread`. False: they are, or do
+/// not, or there is only one, and nothing was done.
+template <class Visitor>
 SKD_FLATTEN bool VisitPacketHits(const TreeView<3>& tree, const TrianglePackets& packets,
   const Segment<3>* segments, int count, double maxSpread, double tolerance, Visitor& visitor)
 {
@@ -122,7 +122,7 @@ SKD_FLATTEN bool VisitPacketHits(const TreeView<3>& tree, const TrianglePackets&
   {
     return false;
   }
-  AlongLines<InOrder, Visitor> query(tree, packets, tolerance, visitor);
+  AlongLines<Visitor> query(tree, packets, tolerance, visitor);
   for (int i = 0; i < count; ++i)
   {
     if (!query.Add(i, segments[i]))
