@@ -97,6 +97,54 @@ TEST(BooleanOperationCrowds, UnionIsThatOfTheArrangementOfAll)
   EXPECT_EQ(inPairs.Surface.Points.size(), atOnce.Surface.Points.size());
 }
 
+/// The volumes of what is in at least k solids, for each k; all from one arrangement.
+std::vector<double> VolumesInAtLeast(const std::vector<Mesh>& solids)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(0, BlocksOf(solids));
+  filter->SetOperation(Filter::AT_LEAST);
+  std::vector<double> volumes{ 0.0 };
+  for (std::size_t k = 1; k <= solids.size(); ++k)
+  {
+    filter->SetMinimumNumberOfSolids(static_cast<int>(k));
+    volumes.push_back(RunAndCheck(filter).Volume);
+  }
+  return volumes;
+}
+
+TEST(BooleanOperationCrowds, IntersectionIsThatOfTheArrangementOfAll)
+{
+  std::vector<Mesh> solids = TurnedCubes(11, 11);
+  solids[9] = Together({ solids[9], solids[10] }); // a solid that overlaps itself
+  solids.pop_back();
+  const std::vector<double> atLeast = VolumesInAtLeast(solids);
+  const Result inPairs = RunOnBlocks(solids, Filter::INTERSECTION);
+  EXPECT_GT(inPairs.NumberSplit, CountTriangles(solids));
+  EXPECT_NEAR(inPairs.Volume, atLeast.back(), 1e-12 * atLeast[1]);
+  EXPECT_NEAR(inPairs.InputVolume, atLeast[1], 1e-12 * atLeast[1]);
+  solids.insert(solids.begin() + 4, Mesh()); // an empty one
+  EXPECT_TRUE(RunOnBlocks(solids, Filter::INTERSECTION).Surface.Cells.empty());
+}
+
+/// All facets of the arrangement are in it, each between an even number of solids and an odd one.
+TEST(BooleanOperationCrowds, ChainOfSymmetricDifferencesIsAsSmallAsThatOfAllAtOnce)
+{
+  const std::vector<Mesh> solids = TurnedCubes(9, 12);
+  const std::vector<double> atLeast = VolumesInAtLeast(solids);
+  double odd = 0.0;
+  Mesh chain;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+  {
+    odd += i % 2 == 0 ? atLeast[i + 1] : -atLeast[i + 1];
+    chain = Combine(chain, solids[i], Filter::SYMMETRIC_DIFFERENCE);
+  }
+  const Result atOnce = RunOnBlocks(solids, Filter::SYMMETRIC_DIFFERENCE);
+  EXPECT_NEAR(atOnce.Volume, odd, 1e-12 * atLeast[1]);
+  EXPECT_NEAR(Measures(chain).Volume, odd, 1e-12 * atLeast[1]);
+  EXPECT_EQ(CountBadEdges(chain), 0);
+  EXPECT_EQ(chain.Points.size(), atOnce.Surface.Points.size());
+}
+
 TEST(BooleanOperationCrowds, FirstWithoutTheOthers)
 {
   std::vector<Mesh> cubes = TurnedCubes(10, 2);

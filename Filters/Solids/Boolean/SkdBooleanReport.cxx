@@ -63,10 +63,10 @@ void ReportMeasures(const std::string& what, const SkdBoundaryMeasures& measures
 
 void ReportCombined(const SkdCombinedSolids& combined, bool areInputs, SkdReport& report)
 {
-  ReportMeasures("Input", areInputs ? combined.Groups[0] : combined.Union, report);
+  ReportMeasures("Input", areInputs ? combined.Operands[0] : combined.Union, report);
   if (areInputs)
   {
-    ReportMeasures("Source", combined.Groups[1], report);
+    ReportMeasures("Source", combined.Operands[1], report);
   }
 }
 

@@ -3,12 +3,12 @@
 #include "Solids/Boolean/SkdCombineInPairs.h"
 
 #include "Bodies/SkdEdgeTable.h"
-#include "Core/Geometry/DisjointSets.h"
 #include "Pipeline/SkdLoop.h"
 #include "Solids/Boolean/SkdJoinPieces.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 namespace skdtree
@@ -138,12 +138,12 @@ public:
     return this->Windings.size() == this->Arrangement.NumberOfRegions;
   }
 
-  /// What bounds the regions for which `isSolid` returns true.
-  template <class IsSolid>
-  Surface Select(const IsSolid& isSolid, vtkIdType& numberFolded) const
+  /// What bounds the regions that are solid.
+  Surface Select(const SkdBooleanRule& rule, vtkIdType& numberFolded) const
   {
     const SkdFacets& facets = this->Arrangement.Facets;
-    const SkdFacetSigns signs = SkdFindBoundary(this->Arrangement, this->Windings, isSolid);
+    const SkdFacetSigns signs = SkdFindBoundary(this->Arrangement, this->Windings,
+      [&rule](const SkdRegionWindings& windings) { return rule.IsSolid(windings); });
     const std::vector<std::uint32_t> equal = SkdFindEqualPoints(this->Placement, facets);
     if (equal.empty())
     {
@@ -240,40 +240,36 @@ Surface MakeLeaf(const SkdTriangleSet& set, const std::vector<std::uint32_t>& tr
   return surface;
 }
 
-/// The unions of a group, from the leaves of a balanced tree on.
-class Uniter
+/// How far all is, by solids that are combined.
+struct Progress
+{
+  double Total;
+  double Done = 0.0;
+  double Get() const { return 0.6 + 0.2 * this->Done / this->Total; }
+};
+
+/// Combines the solids of groups, each from the leaves of a balanced tree on.
+class SolidTree
 {
 public:
-  Uniter(const SkdTriangleSet& set, SkdFaceSets& faces, const SkdBooleanRule& rule,
-    vtkAlgorithm* filter, std::size_t numberOfSolids)
+  SolidTree(const SkdTriangleSet& set, SkdFaceSets& faces, const SkdBooleanRule& rule,
+    vtkAlgorithm* filter, Progress& progress)
     : Set(set)
     , Faces(faces)
-    , Rule{ SkdBooleanOperation::Union, rule.Inside, 2, 1 }
+    , Rule(rule)
     , Filter(filter)
-    , Total(static_cast<double>(numberOfSolids))
+    , Done(progress)
   {
   }
 
-  std::optional<Surface> Unite(const SkdSolidGroup& group)
+  /// The regions between the two groups, each combined; none after an abort, or if there are no
+  /// winding numbers.
+  std::unique_ptr<Step> Combine(const std::array<SkdSolidGroup, 2>& groups)
   {
-    std::vector<Leaf> leaves;
-    for (const std::vector<std::uint32_t>& solid : group)
-    {
-      skd::Box3 box;
-      for (const std::uint32_t triangle : solid)
-      {
-        for (const std::uint32_t corner : this->Set.GetTriangles()[triangle])
-        {
-          box.Add(this->Set.GetPoints()[corner]);
-        }
-      }
-      leaves.push_back({ &solid, 0.5 * (box.Min + box.Max), leaves.size() });
-    }
-    return leaves.empty() ? Surface() : this->Unite(leaves.data(), leaves.data() + leaves.size());
+    const std::optional<Surface> first = this->Combine(groups[0]);
+    const std::optional<Surface> second = first ? this->Combine(groups[1]) : std::nullopt;
+    return second ? this->Split(*first, *second) : nullptr;
   }
-
-  /// How far all is.
-  double GetProgress() const { return 0.6 + 0.2 * this->Done / this->Total; }
 
   vtkIdType NumberSplit = 0;
   vtkIdType NumberFolded = 0;
@@ -286,7 +282,30 @@ private:
     std::size_t Number;
   };
 
-  /// Solids near each other are united first: halves by their centres along the longest axis.
+  std::optional<Surface> Combine(const SkdSolidGroup& group)
+  {
+    std::vector<Leaf> leaves;
+    for (const std::vector<std::uint32_t>& solid : group)
+    {
+      leaves.push_back({ &solid, this->CenterOf(solid), leaves.size() });
+    }
+    return leaves.empty() ? Surface() : this->Combine(leaves.data(), leaves.data() + leaves.size());
+  }
+
+  skd::Vector3 CenterOf(const std::vector<std::uint32_t>& solid) const
+  {
+    skd::Box3 box;
+    for (const std::uint32_t triangle : solid)
+    {
+      for (const std::uint32_t corner : this->Set.GetTriangles()[triangle])
+      {
+        box.Add(this->Set.GetPoints()[corner]);
+      }
+    }
+    return solid.empty() ? skd::Vector3{} : 0.5 * (box.Min + box.Max);
+  }
+
+  /// Solids near each other are combined first: halves by their centres along the longest axis.
   static Leaf* Halve(Leaf* first, Leaf* last)
   {
     skd::Box3 box;
@@ -303,37 +322,40 @@ private:
     return middle;
   }
 
-  std::optional<Surface> Unite(Leaf* first, Leaf* last)
+  std::optional<Surface> Combine(Leaf* first, Leaf* last)
   {
     if (last - first == 1)
     {
       return MakeLeaf(this->Set, *first->Solid);
     }
     Leaf* const middle = Halve(first, last);
-    std::optional<Surface> a = this->Unite(first, middle);
-    std::optional<Surface> b = a ? this->Unite(middle, last) : std::nullopt;
+    std::optional<Surface> a = this->Combine(first, middle);
+    std::optional<Surface> b = a ? this->Combine(middle, last) : std::nullopt;
     if (!b)
     {
       return std::nullopt;
     }
-    Step step(this->Set, this->Faces, *a, *b);
-    this->Done += 1.0;
-    if (!step.Split(this->Filter, this->GetProgress()))
+    const std::unique_ptr<Step> step = this->Split(*a, *b);
+    return step ? std::make_optional(step->Select(this->Rule, this->NumberFolded)) : std::nullopt;
+  }
+
+  std::unique_ptr<Step> Split(const Surface& a, const Surface& b)
+  {
+    auto step = std::make_unique<Step>(this->Set, this->Faces, a, b);
+    this->Done.Done += 1.0;
+    if (!step->Split(this->Filter, this->Done.Get()))
     {
-      return std::nullopt;
+      return nullptr;
     }
-    this->NumberSplit += step.GetNumberSplit();
-    return step.Select([this](const SkdRegionWindings& windings)
-      { return this->Rule.IsSolid(windings); },
-      this->NumberFolded);
+    this->NumberSplit += step->GetNumberSplit();
+    return step;
   }
 
   const SkdTriangleSet& Set;
   SkdFaceSets& Faces;
   const SkdBooleanRule Rule;
   vtkAlgorithm* Filter;
-  double Total;
-  double Done = 0.0;
+  Progress& Done;
 };
 
 /// A point of a triangle by the areas that it divides it into.
@@ -396,205 +418,57 @@ SkdRoundedFacets MakeFacets(const SkdPlacement& placement, const Surface& surfac
   return rounded;
 }
 
-/// The pieces that edges connect, of each solid by itself.
-class Pieces
+SkdBooleanRule RuleOfTwo(SkdBooleanOperation operation, const SkdBooleanRule& rule)
 {
-public:
-  Pieces(const SkdTriangleSet& set, const SkdSolids& solids)
-    : Set(set)
-    , Solids(solids)
-    , Sets(set.GetTriangles().size())
-  {
-    const std::vector<Corners> triangles(set.GetTriangles().begin(), set.GetTriangles().end());
-    SkdMakeEdgeTable(triangles, set.GetPoints().size())
-      .ForEach([this](std::uint32_t, const SkdEdgeUse* first, const SkdEdgeUse* last)
-        { this->Look(first, last); });
-    this->Of = this->Sets.Number();
-  }
-
-  /// Whether the surface of each solid passes each edge as often in both directions.
-  bool AreClosed() const { return this->IsClosed; }
-
-  /// Of each triangle its piece.
-  const std::vector<std::uint32_t>& Get() const { return this->Of; }
-
-  /// The solids by their pieces where each winds once around what it encloses, else whole; all are
-  /// whole unless `divides`.
-  std::vector<SkdSolidGroup> Divide(const std::vector<SkdTrianglePair>& pairs, bool divides)
-  {
-    const auto n = static_cast<std::uint32_t>(this->Of.size());
-    std::vector<bool> isWhole(this->Solids.Count, !divides);
-    for (const std::uint32_t triangle : this->AtOtherEdges)
-    {
-      isWhole[this->Solids.Of[triangle]] = true;
-    }
-    for (const SkdTrianglePair& pair : pairs)
-    {
-      if (this->Of[pair.First] == this->Of[pair.Second])
-      {
-        isWhole[this->Solids.Of[pair.First]] = true;
-      }
-    }
-    for (const std::uint32_t triangle : this->FindReversed())
-    {
-      isWhole[this->Solids.Of[triangle]] = true;
-    }
-    std::vector<SkdSolidGroup> groups(this->Solids.Count);
-    std::vector<std::uint32_t> slots(n, None); // of pieces, or of whole solids behind these
-    slots.resize(n + this->Solids.Count, None);
-    for (std::uint32_t triangle = 0; triangle < n; ++triangle)
-    {
-      const std::uint32_t solid = this->Solids.Of[triangle];
-      SkdSolidGroup& group = groups[solid];
-      std::uint32_t& slot = slots[isWhole[solid] ? n + solid : this->Of[triangle]];
-      if (slot == None)
-      {
-        slot = static_cast<std::uint32_t>(group.size());
-        group.emplace_back();
-      }
-      group[slot].push_back(triangle);
-    }
-    return groups;
-  }
-
-private:
-  void Look(const SkdEdgeUse* first, const SkdEdgeUse* last)
-  {
-    for (const SkdEdgeUse* use = first; use != last; ++use)
-    {
-      const std::uint32_t solid = this->Solids.Of[use->Triangle];
-      int sum = 0;
-      int count = 0;
-      for (const SkdEdgeUse* other = first; other != last; ++other)
-      {
-        if (this->Solids.Of[other->Triangle] == solid)
-        {
-          this->Sets.Unite(use->Triangle, other->Triangle);
-          sum += other->IsForward ? 1 : -1;
-          ++count;
-        }
-      }
-      this->IsClosed = this->IsClosed && sum == 0;
-      if (count != 2)
-      {
-        this->AtOtherEdges.push_back(use->Triangle);
-      }
-    }
-  }
-
-  /// A triangle of each piece that does not surely face outward: its volume is not positive beyond
-  /// rounding.
-  std::vector<std::uint32_t> FindReversed() const
-  {
-    constexpr double rounding = 1e-9; // of a sum of volumes with any signs
-    struct Sum
-    {
-      std::uint32_t First;
-      double Volume;
-      double Magnitude;
-    };
-    std::vector<Sum> sums(this->Of.size(), { None, 0.0, 0.0 });
-    for (std::uint32_t triangle = 0; triangle < this->Of.size(); ++triangle)
-    {
-      Sum& sum = sums[this->Of[triangle]];
-      sum.First = std::min(sum.First, triangle);
-      const auto at = [&](std::uint32_t of, int i)
-      { return this->Set.GetPoints()[this->Set.GetTriangles()[of][i]]; };
-      const skd::Vector3 origin = at(sum.First, 0);
-      const double volume =
-        Dot(at(triangle, 0) - origin, Cross(at(triangle, 1) - origin, at(triangle, 2) - origin));
-      sum.Volume += volume;
-      sum.Magnitude += std::abs(volume);
-    }
-    std::vector<std::uint32_t> reversed;
-    for (const Sum& sum : sums)
-    {
-      if (sum.First != None && !(sum.Volume > rounding * sum.Magnitude))
-      {
-        reversed.push_back(sum.First);
-      }
-    }
-    return reversed;
-  }
-
-  const SkdTriangleSet& Set;
-  const SkdSolids& Solids;
-  skd::DisjointSets<> Sets;
-  std::vector<std::uint32_t> Of;
-  std::vector<std::uint32_t> AtOtherEdges; // triangles at edges of other than two of a solid
-  bool IsClosed = true;
-};
-
-void Append(SkdSolidGroup& to, const SkdSolidGroup& group)
-{
-  to.insert(to.end(), group.begin(), group.end());
-}
+  return { operation, rule.Inside, 2, 1 };
 }
 
-//------------------------------------------------------------------------------
-bool SkdHasUnitedOperands(SkdBooleanOperation operation, bool areInputs)
+SkdBoundaryMeasures MeasureUnion(const Step& step, const SkdBooleanRule& rule)
 {
-  using Operation = SkdBooleanOperation;
-  const bool isOfInputs = areInputs &&
-    (operation == Operation::Intersection || operation == Operation::SymmetricDifference);
-  return operation == Operation::Union || operation == Operation::Difference ||
-    operation == Operation::ReverseDifference || isOfInputs;
+  return step.Measure(
+    [&rule](const SkdRegionWindings& windings) { return rule.CountSolids(windings) > 0; });
 }
 
-//------------------------------------------------------------------------------
-std::optional<std::array<SkdSolidGroup, 2>> SkdFindSolidGroups(const SkdTriangleSet& set,
-  const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule,
-  const std::function<std::vector<SkdTrianglePair>(const std::vector<std::uint32_t>&)>& findPairs)
+SkdBoundaryMeasures MeasureOperand(
+  const Step& step, const SkdBooleanRule& rule, std::uint32_t operand)
 {
-  Pieces pieces(set, solids);
-  if (!SkdHasUnitedOperands(rule.Operation, areInputs) || !pieces.AreClosed())
-  {
-    return std::nullopt;
-  }
-  // What two pieces cover is not inside if the number must be odd.
-  const std::vector<SkdSolidGroup> divided =
-    pieces.Divide(findPairs(pieces.Get()), rule.Inside != SkdInsideRule::Odd);
-  std::array<SkdSolidGroup, 2> groups;
-  for (std::size_t solid = 0; solid < divided.size(); ++solid)
-  {
-    Append(groups[solid == 0 ? 0 : 1], divided[solid]);
-  }
-  constexpr std::size_t fewest = 3; // two are combined at once in any case
-  return groups[0].size() + groups[1].size() < fewest ? std::nullopt : std::make_optional(groups);
+  return step.Measure([&rule, operand](const SkdRegionWindings& windings)
+    { return rule.IsInside(windings, operand); });
+}
 }
 
 //------------------------------------------------------------------------------
 std::optional<SkdCombinedSolids> SkdCombineInPairs(const SkdPlacement& placement,
-  SkdFaceSets& faces, const std::array<SkdSolidGroup, 2>& groups, const SkdBooleanRule& rule,
-  vtkAlgorithm* filter)
+  SkdFaceSets& faces, const SkdOperands& operands, const SkdBooleanRule& rule, vtkAlgorithm* filter)
 {
   const SkdTriangleSet& set = placement.First.GetSet();
-  Uniter uniter(set, faces, rule, filter, groups[0].size() + groups[1].size());
-  const std::optional<Surface> first = uniter.Unite(groups[0]);
-  const std::optional<Surface> second = first ? uniter.Unite(groups[1]) : std::nullopt;
-  if (!second)
+  const bool areUnited = operands.Within == SkdBooleanOperation::Union;
+  const std::size_t count = operands.Groups[0].size() + operands.Groups[1].size();
+  Progress progress{ static_cast<double>(areUnited ? count : 2 * count) };
+  SolidTree tree(set, faces, RuleOfTwo(operands.Within, rule), filter, progress);
+  const std::unique_ptr<Step> last = tree.Combine(operands.Groups);
+  if (!last)
   {
     return std::nullopt;
   }
-  Step step(set, faces, *first, *second);
-  if (!step.Split(filter, uniter.GetProgress()))
+  const SkdBooleanRule ofTwo = RuleOfTwo(rule.Operation, rule);
+  const Surface result = last->Select(ofTwo, tree.NumberFolded);
+  SkdCombinedSolids combined{ MakeFacets(placement, result),
+    { MeasureOperand(*last, ofTwo, 0), MeasureOperand(*last, ofTwo, 1) },
+    MeasureUnion(*last, ofTwo), tree.NumberSplit };
+  combined.Boundary.NumberFolded = tree.NumberFolded;
+  if (!areUnited)
   {
-    return std::nullopt;
+    // What is made on the way says nothing of the union.
+    SkdFaceSets others = faces;
+    const SkdBooleanRule unite = RuleOfTwo(SkdBooleanOperation::Union, rule);
+    const auto all = SolidTree(set, others, unite, filter, progress).Combine(operands.Groups);
+    if (!all)
+    {
+      return std::nullopt;
+    }
+    combined.Union = MeasureUnion(*all, unite);
   }
-  const SkdBooleanRule last{ rule.Operation, rule.Inside, 2, 1 };
-  const auto isIn = [&](std::uint32_t group)
-  {
-    return step.Measure(
-      [&last, group](const SkdRegionWindings& windings) { return last.IsInside(windings, group); });
-  };
-  const auto isInAny = [&](const SkdRegionWindings& windings)
-  { return last.CountSolids(windings) > 0; };
-  const Surface result =
-    step.Select([&last](const SkdRegionWindings& windings) { return last.IsSolid(windings); },
-      uniter.NumberFolded);
-  SkdCombinedSolids combined{ MakeFacets(placement, result), { isIn(0), isIn(1) },
-    step.Measure(isInAny), uniter.NumberSplit + step.GetNumberSplit() };
-  combined.Boundary.NumberFolded = uniter.NumberFolded;
   return combined;
 }
 }

@@ -9,6 +9,7 @@
 #include "Solids/Surfaces/SkdSplitPoints.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -45,13 +46,14 @@ struct Use
   }
 };
 
-/// An edge around a part of a face, which is on its left.
+/// An edge around a part of a face, which is on its left, as the boundary has it: of a part that is
+/// reversed there, against the order of its facets' corners.
 struct BorderEdge
 {
   std::uint32_t From;
   std::uint32_t To;
   std::uint32_t Part;
-  std::uint32_t Other; ///< the part on its right; None if there are several or none
+  std::uint32_t Other; ///< the part on its right, of several one each; None if there is none
 
   bool operator<(const BorderEdge& other) const
   {
@@ -216,11 +218,40 @@ private:
       return;
     }
     const bool arePair = areTwo && this->IsForward(first[0]) != this->IsForward(first[1]);
+    const std::size_t begin = this->Border.size();
     for (const Use* use = first; use != last; ++use)
     {
       const std::uint32_t other = arePair ? this->PartOf[first[use == first ? 1 : 0].Piece] : None;
       const std::uint32_t part = this->PartOf[use->Piece];
-      this->Border.push_back({ use->GetFrom(), use->GetTo(), part, other == part ? None : other });
+      const bool isForward = this->IsForward(*use);
+      this->Border.push_back(
+        { use->GetEnd(isForward), use->GetEnd(!isForward), part, other == part ? None : other });
+    }
+    if (!areTwo)
+    {
+      PairUp(this->Border.data() + begin, this->Border.data() + this->Border.size());
+    }
+  }
+
+  /// Where several parts meet along an edge, as many on each side: of each side the one with the
+  /// least number is beside that of the other, and so on, so that it is the same one all along a
+  /// line.
+  static void PairUp(BorderEdge* first, BorderEdge* last)
+  {
+    std::sort(first, last,
+      [](const BorderEdge& a, const BorderEdge& b)
+      { return a.From != b.From ? a.From < b.From : a.Part < b.Part; });
+    const std::ptrdiff_t half = (last - first) / 2;
+    BorderEdge* const middle = first + half;
+    if (middle == first || middle[-1].From == middle->From || last != middle + half)
+    {
+      return;
+    }
+    for (std::ptrdiff_t i = 0; i < half; ++i)
+    {
+      const bool areSame = first[i].Part == middle[i].Part;
+      first[i].Other = areSame ? None : middle[i].Part;
+      middle[i].Other = areSame ? None : first[i].Part;
     }
   }
 
@@ -250,28 +281,45 @@ private:
     }
   }
 
-  /// Whether two parts meet at a point along one line, and no others do.
-  bool IsBetweenTwo(std::uint32_t point) const
+  /// Whether parts meet at a point along one line, the same before and after it, and no others.
+  bool IsWithinLine(std::uint32_t point) const
   {
-    const BorderEdge* edges[2] = { nullptr, nullptr };
-    int count = 0;
+    constexpr std::size_t most = 16; // parts, which are compared with each other
+    std::array<const BorderEdge*, most> edges;
+    std::size_t count = 0;
     this->ForEachFrom(point,
       [&](const BorderEdge& edge)
       {
-        edges[count < 2 ? count : 0] = &edge;
+        edges[std::min(count, most - 1)] = &edge;
         ++count;
       });
-    return count == 2 && edges[0]->Other == edges[1]->Part && edges[1]->Other == edges[0]->Part;
+    return count >= 2 && count <= most && AreOneLine(edges.data(), edges.data() + count);
   }
 
-  /// Takes points out of lines between two parts.
+  /// Whether edges from a point, by where they end, lead to two other points only, and each part
+  /// comes from where the one on its right goes to.
+  static bool AreOneLine(const BorderEdge* const* first, const BorderEdge* const* last)
+  {
+    return std::all_of(first, last,
+      [&](const BorderEdge* edge)
+      {
+        const auto isOpposite = [edge](const BorderEdge* other) {
+          return edge->Other == other->Part && other->Other == edge->Part && edge->To != other->To;
+        };
+        const auto isOfPart = [edge](const BorderEdge* other) { return other->Part == edge->Part; };
+        return (edge->To == first[0]->To || edge->To == last[-1]->To) &&
+          std::count_if(first, last, isOfPart) == 1 && std::any_of(first, last, isOpposite);
+      });
+  }
+
+  /// Takes points out of lines between parts.
   void FindStraight()
   {
     this->IsTakenOut.assign(this->Set.GetPoints().size() + this->Facets.NewPoints.size(), false);
     for (const BorderEdge& edge : this->Border)
     {
       // Each line once, from one of its ends on.
-      if (edge.Other != None && edge.Part < edge.Other && !this->IsBetweenTwo(edge.From))
+      if (edge.Other != None && edge.Part < edge.Other && !this->IsWithinLine(edge.From))
       {
         this->Straighten(edge);
       }
@@ -281,7 +329,7 @@ private:
   void Straighten(const BorderEdge& first)
   {
     std::vector<std::uint32_t> line{ first.From, first.To };
-    while (this->IsBetweenTwo(line.back()))
+    while (this->IsWithinLine(line.back()))
     {
       const BorderEdge* next = this->FindNext(line.back(), first.Part);
       if (!next || line.size() > this->Border.size())
@@ -329,9 +377,10 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  /// The edges around a part, without points that are taken out.
+  /// The edges around a part as its facets have them, without points that are taken out.
   std::vector<SkdFlatFace::Edge> ListEdges(std::uint32_t part) const
   {
+    const bool isReversed = this->Signs[this->Pieces[this->PiecesOf[part][0]]] < 0;
     std::vector<SkdFlatFace::Edge> edges;
     for (const std::uint32_t i : this->BorderOf[part])
     {
@@ -345,7 +394,7 @@ private:
       {
         to = this->FindNext(to, part)->To;
       }
-      edges.emplace_back(edge.From, to);
+      edges.emplace_back(isReversed ? to : edge.From, isReversed ? edge.From : to);
     }
     return edges;
   }
@@ -435,7 +484,8 @@ private:
       if (this->IsTakenOut[edge.From])
       {
         this->IsTakenOut[edge.From] = false;
-        changed.push_back(edge.Other);
+        this->ForEachFrom(
+          edge.From, [&](const BorderEdge& other) { changed.push_back(other.Part); });
       }
     }
   }

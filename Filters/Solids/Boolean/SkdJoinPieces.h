@@ -14,7 +14,7 @@
 namespace skdtree
 {
 /// The pieces of flat faces joined and triangulated anew: without points that only they had, and
-/// without points on straight lines between two faces, on both sides of these. A point leaves such
+/// without points on straight lines between faces, on all sides of these. A point leaves such
 /// a line only by what its rounding was. A face that could not be triangulated without its points
 /// keeps them. Faces that are not cut stay as they are.
 ///

@@ -132,9 +132,9 @@ bool SkdSolidArrangement::CombineInPairs(const SkdSolids& solids, bool areInputs
     return pairs.AreSome ? SkdFindPairsWithin(this->Triangles, *this->Placement, pieceOf, loop)
                          : pairs.Pairs;
   };
-  if (const auto groups = SkdFindSolidGroups(this->Triangles, solids, areInputs, rule, findWithin))
+  if (const auto operands = SkdFindOperands(this->Triangles, solids, areInputs, rule, findWithin))
   {
-    this->Combined = SkdCombineInPairs(*this->Placement, this->Faces, *groups, rule, filter);
+    this->Combined = SkdCombineInPairs(*this->Placement, this->Faces, *operands, rule, filter);
   }
   return this->Combined || SkdIsAborted(filter);
 }
@@ -143,7 +143,7 @@ bool SkdSolidArrangement::Arrange(
   const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter)
 {
   constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
-  const bool mayCombine = SkdHasUnitedOperands(rule.Operation, areInputs);
+  const bool mayCombine = SkdCanCombineInPairs(rule.Operation, areInputs);
   const std::size_t dense = mayCombine
     ? std::max(FewEvents, PairsOfTriangle * this->Triangles.GetTriangles().size())
     : unlimited;
