@@ -10,11 +10,14 @@
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkNew.h"
-#include "vtkUnstructuredGrid.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <utility>
 
 namespace skdtree
 {
@@ -40,6 +43,65 @@ void SetTuple(vtkIdTypeArray* array, std::size_t tuple, const Values& values)
     array->SetValue(static_cast<vtkIdType>(tuple * values.size()) + component++, value);
   }
 }
+
+/// Cells of a piece with their data, and which points of it they use, in their order there.
+struct Taken
+{
+  vtkSmartPointer<vtkDataSet> Mesh;
+  std::vector<vtkIdType> Points;
+};
+
+Taken CopyCells(vtkDataSet* piece, const std::vector<vtkIdType>& cells)
+{
+  SkdSubset subset(piece);
+  subset.SetCells(cells);
+  subset.CopyData();
+  return { subset.Get(), subset.GetPointIds() };
+}
+
+/// Whether these, each once, are all cells of a piece in their order, and they use all its points.
+bool AreAll(const std::vector<vtkIdType>& cells, vtkDataSet* piece)
+{
+  const int type = piece->GetDataObjectType();
+  return (type == VTK_POLY_DATA || type == VTK_UNSTRUCTURED_GRID) &&
+    static_cast<vtkIdType>(cells.size()) == piece->GetNumberOfCells() &&
+    std::is_sorted(cells.begin(), cells.end()) && !SkdHasFreePoints(piece);
+}
+
+/// All cells of a piece, which need no copy. The field data are the mesh's own.
+Taken Share(vtkDataSet* piece)
+{
+  auto mesh = vtkSmartPointer<vtkDataSet>::Take(piece->NewInstance());
+  mesh->CopyStructure(piece);
+  mesh->GetPointData()->ShallowCopy(piece->GetPointData());
+  mesh->GetCellData()->ShallowCopy(piece->GetCellData());
+  std::vector<vtkIdType> points(static_cast<std::size_t>(piece->GetNumberOfPoints()));
+  std::iota(points.begin(), points.end(), vtkIdType(0));
+  return { mesh, std::move(points) };
+}
+
+/// Most are in order already: the others are sorted, and merged with them.
+template <class Item, class Less>
+void SortNearlySorted(std::vector<Item>& items, const Less& isLess)
+{
+  std::vector<Item> late;
+  std::size_t kept = 0;
+  for (const Item& item : items)
+  {
+    if (kept > 0 && isLess(item, items[kept - 1]))
+    {
+      late.push_back(item);
+    }
+    else
+    {
+      items[kept++] = item;
+    }
+  }
+  std::sort(late.begin(), late.end(), isLess);
+  const auto middle = items.begin() + static_cast<std::ptrdiff_t>(kept);
+  std::copy(late.begin(), late.end(), middle);
+  std::inplace_merge(items.begin(), middle, items.end(), isLess);
+}
 }
 
 vtkSmartPointer<vtkDataSet> SkdTakeCells(vtkDataSet* piece, const std::vector<vtkIdType>& cells,
@@ -49,9 +111,7 @@ vtkSmartPointer<vtkDataSet> SkdTakeCells(vtkDataSet* piece, const std::vector<vt
   {
     return nullptr;
   }
-  SkdSubset subset(piece);
-  subset.SetCells(cells);
-  subset.CopyData();
+  const Taken taken = AreAll(cells, piece) ? Share(piece) : CopyCells(piece, cells);
   auto* surface = isSurface ? vtkPolyData::SafeDownCast(piece) : nullptr;
   const auto ids = SkdMakeArray<vtkIdTypeArray>(CellsName, 2, static_cast<vtkIdType>(cells.size()));
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -60,7 +120,7 @@ vtkSmartPointer<vtkDataSet> SkdTakeCells(vtkDataSet* piece, const std::vector<vt
     SetTuple(ids, i,
       std::array<vtkIdType, 2>{ numbers.CellIds[static_cast<std::size_t>(cells[i])], kind });
   }
-  const std::vector<vtkIdType>& used = subset.GetPointIds();
+  const std::vector<vtkIdType>& used = taken.Points;
   const auto points =
     SkdMakeArray<vtkIdTypeArray>(PointsName, 3, static_cast<vtkIdType>(used.size()));
   for (std::size_t i = 0; i < used.size(); ++i)
@@ -70,9 +130,9 @@ vtkSmartPointer<vtkDataSet> SkdTakeCells(vtkDataSet* piece, const std::vector<vt
     SetTuple(
       points, i, std::array<vtkIdType, 3>{ numbers.PointIds[point], origin.Process, origin.Point });
   }
-  subset.Get()->GetFieldData()->AddArray(ids);
-  subset.Get()->GetFieldData()->AddArray(points);
-  return subset.Get();
+  taken.Mesh->GetFieldData()->AddArray(ids);
+  taken.Mesh->GetFieldData()->AddArray(points);
+  return taken.Mesh;
 }
 
 SkdCellParts::SkdCellParts(
@@ -99,6 +159,12 @@ void SkdCellParts::Take(int from, vtkDataSet* cells)
 // Each joined point that came, where its origin has sent it, if it has.
 void SkdCellParts::FindPoints()
 {
+  std::size_t number = 0;
+  for (const Part& part : this->Parts)
+  {
+    number += part.Points ? static_cast<std::size_t>(part.Points->GetNumberOfTuples()) : 0;
+  }
+  this->Points.reserve(number);
   for (std::size_t process = 0; process < this->Parts.size(); ++process)
   {
     vtkIdTypeArray* points = this->Parts[process].Points;
@@ -112,7 +178,7 @@ void SkdCellParts::FindPoints()
           : Found{ tuple[0], numberOfParts + static_cast<int>(tuple[1]), tuple[2] });
     }
   }
-  std::sort(this->Points.begin(), this->Points.end(),
+  SortNearlySorted(this->Points,
     [](const Found& a, const Found& b) { return a.Id != b.Id ? a.Id < b.Id : a.Piece < b.Piece; });
   this->Points.erase(std::unique(this->Points.begin(), this->Points.end(),
                        [](const Found& a, const Found& b) { return a.Id == b.Id; }),
@@ -152,16 +218,21 @@ void SkdCellParts::AskForPoints(SkdTransport& transport, vtkDataSet* piece)
     [&](int from, vtkDataSet* points) { this->Queries[static_cast<std::size_t>(from)] = points; });
 }
 
-// Of the points that came with a process's cells.
+// Of the points that came with a process's cells. Most follow each other there, too.
 std::vector<vtkIdType> SkdCellParts::FindLocalIds(int process) const
 {
   std::vector<vtkIdType> local;
   vtkIdTypeArray* points = this->Parts[static_cast<std::size_t>(process)].Points;
+  auto found = this->Points.begin();
   for (vtkIdType i = 0; points && i < points->GetNumberOfTuples(); ++i)
   {
-    const auto found = std::lower_bound(this->Points.begin(), this->Points.end(),
-      points->GetValue(3 * i), [](const Found& a, vtkIdType id) { return a.Id < id; });
-    local.push_back(found - this->Points.begin());
+    const vtkIdType id = points->GetValue(3 * i);
+    if (found == this->Points.end() || found->Id != id)
+    {
+      found = std::lower_bound(this->Points.begin(), this->Points.end(), id,
+        [](const Found& a, vtkIdType other) { return a.Id < other; });
+    }
+    local.push_back(found++ - this->Points.begin());
   }
   return local;
 }
@@ -179,8 +250,7 @@ std::vector<SkdCellParts::Joined> SkdCellParts::SortCells() const
       cells.push_back({ ids->GetValue(2 * i), { static_cast<int>(piece), i } });
     }
   }
-  std::sort(
-    cells.begin(), cells.end(), [](const Joined& a, const Joined& b) { return a.Id < b.Id; });
+  SortNearlySorted(cells, [](const Joined& a, const Joined& b) { return a.Id < b.Id; });
   return cells;
 }
 
@@ -213,15 +283,17 @@ vtkSmartPointer<vtkDataSet> SkdCellParts::Assemble() const
     tuples[static_cast<std::size_t>(piece)].Add(found.Point, static_cast<vtkIdType>(id));
   }
   std::vector<SkdPieceCell> cells;
-  const auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
-  ids->SetName(SkdJoinedIdsName);
-  const auto areOwn = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  areOwn->SetName(SkdOwnCellsName);
-  for (const Joined& cell : this->SortCells())
+  const std::vector<Joined> sorted = this->SortCells();
+  const auto number = static_cast<vtkIdType>(sorted.size());
+  const auto ids = SkdMakeArray<vtkIdTypeArray>(SkdJoinedIdsName, 1, number);
+  const auto areOwn = SkdMakeArray<vtkUnsignedCharArray>(SkdOwnCellsName, 1, number);
+  cells.reserve(sorted.size());
+  for (const Joined& cell : sorted)
   {
+    const auto at = static_cast<vtkIdType>(cells.size());
+    ids->SetValue(at, cell.Id);
+    areOwn->SetValue(at, this->ProcessOf(cell.Cell) == this->Rank ? 1 : 0);
     cells.push_back(cell.Cell);
-    ids->InsertNextValue(cell.Id);
-    areOwn->InsertNextValue(this->ProcessOf(cell.Cell) == this->Rank ? 1 : 0);
   }
   const SkdMeshParts parts{ pieces, cells, pointIds, tuples,
     static_cast<vtkIdType>(this->Points.size()) };

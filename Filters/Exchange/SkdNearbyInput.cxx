@@ -5,6 +5,7 @@
 #include "Cells/Read/SkdCellReader.h"
 #include "Exchange/SkdDirectionBoxes.h"
 #include "Exchange/SkdMessage.h"
+#include "Exchange/SkdPieceArrays.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdJoinedShape.h"
 #include "vtkCellData.h"
@@ -105,26 +106,6 @@ vtkSmartPointer<vtkDataObject> ExampleOf(vtkDataObject* object)
   return example;
 }
 
-/// Whether there are points that are of no cell.
-bool HasFreePoints(vtkDataSet* mesh)
-{
-  const SkdCellReader reader(mesh);
-  std::vector<unsigned char> isUsed(static_cast<std::size_t>(mesh->GetNumberOfPoints()), 0);
-  vtkNew<vtkIdList> list;
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-  {
-    reader.VisitPoints(cell, list,
-      [&](const auto* ids, std::size_t size)
-      {
-        for (std::size_t i = 0; i < size; ++i)
-        {
-          isUsed[static_cast<std::size_t>(ids[i])] = 1;
-        }
-      });
-  }
-  return std::find(isUsed.begin(), isUsed.end(), 0) != isUsed.end();
-}
-
 /// Whether there are values that are not finite.
 bool HasGaps(vtkDataSetAttributes* data)
 {
@@ -168,7 +149,7 @@ bool IsIncomplete(vtkDataObject* piece, bool withValues)
     {
       vtkPointData* ofPoints = block.Mesh->GetPointData();
       vtkCellData* ofCells = block.Mesh->GetCellData();
-      return HasFreePoints(block.Mesh) || HasMarks(ofCells, hidden) ||
+      return SkdHasFreePoints(block.Mesh) || HasMarks(ofCells, hidden) ||
         (withValues &&
           (HasMarks(ofPoints, vtkDataSetAttributes::HIDDENPOINT) || HasGaps(ofPoints) ||
             HasGaps(ofCells)));

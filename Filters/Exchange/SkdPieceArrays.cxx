@@ -3,6 +3,7 @@
 #include "Exchange/SkdPieceArrays.h"
 
 #include "Cells/Read/SkdCellReader.h"
+#include "Cells/Read/SkdStoredValues.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
@@ -73,6 +74,35 @@ void AddPointsOfDuplicates(
     [](unsigned char a, unsigned char b) { return static_cast<unsigned char>(a | b); });
 }
 
+void CopyAnyPoints(vtkDataSet* piece, const SkdPieceTuples& tuples, vtkPoints* into)
+{
+  for (std::size_t i = 0; i < tuples.From.size(); ++i)
+  {
+    double x[3];
+    piece->GetPoint(tuples.From[i], x);
+    into->SetPoint(tuples.To[i], x);
+  }
+}
+
+/// The same without calls for each point, if both are stored in this type; false if they are not.
+template <class Real>
+bool CopyStoredPoints(vtkDataSet* piece, const SkdPieceTuples& tuples, vtkPoints* into)
+{
+  auto* set = vtkPointSet::SafeDownCast(piece);
+  vtkPoints* points = set ? set->GetPoints() : nullptr;
+  const Real* const from = points ? SkdStoredValues<Real>(points->GetData()) : nullptr;
+  Real* const to = SkdStoredValues<Real>(into->GetData());
+  if (!from || !to)
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < tuples.From.size(); ++i)
+  {
+    std::copy_n(from + 3 * tuples.From[i], 3, to + 3 * tuples.To[i]);
+  }
+  return true;
+}
+
 int PrecisionOf(const SkdPieces& pieces)
 {
   for (vtkDataSet* piece : pieces)
@@ -120,11 +150,10 @@ vtkSmartPointer<vtkPoints> SkdJoinPoints(
   points->SetNumberOfPoints(number);
   for (std::size_t piece = 0; piece < pieces.size(); ++piece)
   {
-    for (std::size_t i = 0; i < tuples[piece].From.size(); ++i)
+    if (!CopyStoredPoints<double>(pieces[piece], tuples[piece], points) &&
+      !CopyStoredPoints<float>(pieces[piece], tuples[piece], points))
     {
-      double x[3];
-      pieces[piece]->GetPoint(tuples[piece].From[i], x);
-      points->SetPoint(tuples[piece].To[i], x);
+      CopyAnyPoints(pieces[piece], tuples[piece], points);
     }
   }
   return points;
@@ -162,5 +191,21 @@ bool SkdHasDuplicates(vtkDataSet* piece)
 {
   return !SkdDuplicatesOf(piece, vtkDataObject::POINT).empty() ||
     !SkdDuplicatesOf(piece, vtkDataObject::CELL).empty();
+}
+
+bool SkdHasFreePoints(vtkDataSet* mesh)
+{
+  const SkdCellReader reader(mesh);
+  std::vector<unsigned char> isUsed(static_cast<std::size_t>(mesh->GetNumberOfPoints()), 0);
+  vtkNew<vtkIdList> list;
+  reader.VisitCells(0, mesh->GetNumberOfCells(), list,
+    [&](vtkIdType, const auto* ids, std::size_t size)
+    {
+      for (std::size_t i = 0; i < size; ++i)
+      {
+        isUsed[static_cast<std::size_t>(ids[i])] = 1;
+      }
+    });
+  return std::find(isUsed.begin(), isUsed.end(), 0) != isUsed.end();
 }
 }

@@ -45,6 +45,9 @@ std::vector<unsigned char> SkdIncompleteOf(vtkDataSet* piece, int type);
 
 /// Whether any point or cell of a piece is marked as a duplicate.
 bool SkdHasDuplicates(vtkDataSet* piece);
+
+/// Whether there are points that are of no cell.
+bool SkdHasFreePoints(vtkDataSet* mesh);
 }
 
 #endif

@@ -349,24 +349,54 @@ private:
     }
   }
 
+  /// The bounds of other pieces that overlap one of the boxes.
+  std::vector<skd::Box3> FindNeighbours(
+    const SkdCut& cut, const std::vector<skd::Box3>& boxes) const
+  {
+    skd::Box3 own;
+    for (const skd::Box3& box : boxes)
+    {
+      own.Add(box);
+    }
+    std::vector<skd::Box3> neighbours;
+    for (int process = 0; process < cut.GetNumberOfProcesses(); ++process)
+    {
+      if (process != this->Transport.GetRank() && cut.GetBounds(process).Overlaps(own))
+      {
+        neighbours.push_back(cut.GetBounds(process));
+      }
+    }
+    return neighbours;
+  }
+
   // Points that lie where only this piece is are no other's.
   void AskByCoordinates(const SkdRounding& rounding)
   {
-    const std::vector<skd::Box3> boxes = SkdBoxesOfPoints(this->Piece);
+    std::vector<skd::Box3> boxes = SkdBoxesOfPoints(this->Piece);
     const SkdCut cut(this->Transport, boxes);
+    for (skd::Box3& box : boxes)
+    {
+      box = box.Inflated(64.0 * rounding.ToleranceAt(box.Min));
+    }
+    const std::vector<skd::Box3> neighbours = this->FindNeighbours(cut, boxes);
     const PointBins bins(rounding, this->Transport.GetNumber());
     std::vector<int> owners;
     std::vector<std::size_t> to;
     for (vtkIdType point = 0; point < this->Piece->GetNumberOfPoints(); ++point)
     {
-      const PointQuestion question = this->QuestionOf(point);
-      const double maxDistance = 64.0 * rounding.ToleranceAt(question.X);
-      cut.FindOverlapping(boxes[static_cast<std::size_t>(point)].Inflated(maxDistance), owners);
+      const skd::Box3& box = boxes[static_cast<std::size_t>(point)];
+      if (std::none_of(neighbours.begin(), neighbours.end(),
+            [&box](const skd::Box3& other) { return other.Overlaps(box); }))
+      {
+        continue;
+      }
+      cut.FindOverlapping(box, owners);
       if (std::all_of(owners.begin(), owners.end(),
             [this](int process) { return process == this->Transport.GetRank(); }))
       {
         continue;
       }
+      const PointQuestion question = this->QuestionOf(point);
       bins.Find(question.X, to);
       for (const std::size_t process : to)
       {
