@@ -4,10 +4,12 @@
 
 #include "Core/Geometry/Overlap/LonLatCell.h"
 #include "Pipeline/SkdLoop.h"
+#include "Remap/SkdDonorFields.h"
 #include "Remap/SkdFacetOverlap.h"
 #include "Remap/SkdOverlapReader.h"
 #include "Remap/SkdRemapTolerances.h"
 
+#include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkNew.h"
@@ -47,6 +49,12 @@ void AddBounds(const SkdOverlapBlock& block, const SkdOverlapPiece& piece,
                                : 0.5 * piece.Radius * piece.Radius;
   box.Add(isSphere || isCurved ? own.Inflated(room) : own);
 }
+
+vtkIdType CountGhosts(vtkDataSet* data)
+{
+  const std::vector<unsigned char> counts = SkdFindCounts(data, vtkDataObject::CELL, {});
+  return std::count(counts.begin(), counts.end(), 0);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -61,6 +69,7 @@ bool SkdOverlapPieces::Read(vtkDataSet* data, const SkdOverlapSurface& surface,
   const SkdCellTree tree(data, settings);
   const std::uint32_t count = tree.Cells().NumberOfCells();
   this->NumberOfAllCells = data->GetNumberOfCells();
+  this->NumberOfGhosts = reading.SkipsGhosts ? CountGhosts(data) : 0;
   this->Ids.resize(count);
   this->Bounds.resize(count);
   this->Blocks.resize((count + BlockSize - 1) / BlockSize);
@@ -173,7 +182,7 @@ void SkdOverlapPieces::Measure(const SkdOverlapSurface& surface, SkdOverlapCells
   cells.Measures.assign(number, 0.0);
   cells.Centroids.assign(number, { { 0.0, 0.0, 0.0 } });
   cells.Covered.assign(number, 0.0);
-  cells.LeftOut = this->NumberOfAllCells;
+  cells.LeftOut = this->NumberOfAllCells - this->NumberOfGhosts;
   const bool isCurved = surface.GetSpace() == SkdOverlapSpace::CurvedSurface;
   cells.Normals.assign(isCurved ? number : 0, { { 0.0, 0.0, 0.0 } });
   this->Measures.assign(this->Ids.size(), 0.0);

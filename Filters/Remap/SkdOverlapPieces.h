@@ -89,6 +89,7 @@ private:
   void FindFaults();
 
   vtkIdType NumberOfAllCells = 0;
+  vtkIdType NumberOfGhosts = 0; // that are skipped
   std::vector<vtkIdType> Ids;
   std::vector<skd::Box3> Bounds;
   /// Of a whole cell, about a point.

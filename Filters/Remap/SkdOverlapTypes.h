@@ -97,7 +97,7 @@ struct SkdOverlapCells
   /// Of a target that lies in pieces, whether this process counts each cell (SkdOwnCellsOf); empty:
   /// all count. What covers a donor, and integrals, are of those that do.
   std::vector<unsigned char> Counts;
-  vtkIdType LeftOut = 0;           ///< not finite, empty, ghosts, of another dimension
+  vtkIdType LeftOut = 0;           ///< not finite, empty, of another dimension
   std::vector<vtkIdType> TooLarge; ///< polygons larger than a hemisphere, left out as well
   std::vector<vtkIdType> Crossing; ///< polygons that cross themselves
 

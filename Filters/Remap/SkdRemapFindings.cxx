@@ -56,11 +56,10 @@ std::vector<std::string> SkdRemapFindings::GetWarnings(const std::string& hint) 
   }
   const std::vector<std::string> others = SkdFaultsOf({
     { this->SourceLeftOut,
-      " cells of Source have no part in it: they are degenerate, not finite, ghosts or of another "
+      " cells of Source have no part in it: they are degenerate, not finite or of another "
       "dimension." },
     { this->InputLeftOut,
-      " cells of Input get no value: they are degenerate, not finite, ghosts or of another "
-      "dimension." },
+      " cells of Input get no value: they are degenerate, not finite or of another dimension." },
     { this->Unfit,
       " cells of Input contain nothing: on a sphere only triangles, quads, pixels and polygons do. "
       "Make triangles of strips, and flat cells of curved ones (vtkTessellatorFilter)." },

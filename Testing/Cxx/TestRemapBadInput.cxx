@@ -8,10 +8,14 @@
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace skdtest;
 
@@ -94,6 +98,24 @@ TEST(RemapBadInput, CellsThatOverlapEachOtherAreWarnedOf)
   EXPECT_NE(WarningOf(remap).find("covered more than once"), std::string::npos);
   EXPECT_NEAR(RemappedCells(remap, "SkdCoverage")[0], 2.0, 1e-14);
   EXPECT_EQ(RemappedCells(remap, "f")[0], 1.0);
+}
+
+/// ParaView asks for ghosts, which nobody needs to be told.
+TEST(RemapBadInput, GhostsAreNoReasonToWarn)
+{
+  const auto withGhost = [](const vtkSmartPointer<vtkPolyData>& mesh)
+  {
+    mesh->AllocateCellGhostArray();
+    mesh->GetCellGhostArray()->SetValue(3, vtkDataSetAttributes::DUPLICATECELL);
+    return mesh;
+  };
+  const auto source = withGhost(MakePolyData(Sheet(2, VTK_QUAD)));
+  WithCellArray(source, "f", { 1, 2, 3, 4 });
+  RemapPointer remap =
+    MakeRemap(withGhost(MakePolyData(Sheet(2, VTK_QUAD))), source, Remap::CONSERVATIVE_FIRST_ORDER);
+  EXPECT_EQ(WarningOf(remap), "");
+  EXPECT_EQ(RemappedCells(remap, "f")[2], 3.0);
+  EXPECT_TRUE(std::isnan(RemappedCells(remap, "f")[3]));
 }
 
 TEST(RemapBadInput, MixedDimensionsAndDegenerateCellsHaveNoPartInIt)
