@@ -12,6 +12,8 @@
 
 #include "vtkMultiBlockDataSet.h"
 
+#include <bitset>
+
 using namespace skdtest;
 
 namespace
@@ -96,6 +98,74 @@ TEST(BooleanOperationChains, OfFiftyOperations)
   for (int number = first; number < first + count; ++number)
   {
     TryChain(number);
+  }
+}
+
+constexpr int GridSize = 5;
+using GridCells = std::bitset<GridSize * GridSize * GridSize>;
+
+/// A box with corners on the grid, and which of its cells are within.
+struct GridBox
+{
+  explicit GridBox(Random& random)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int low = random.Index(GridSize - 1);
+      this->Low[axis] = low;
+      this->High[axis] = low + 1 + random.Index(GridSize - 1 - low);
+    }
+    for (int cell = 0; cell < static_cast<int>(this->Cells.size()); ++cell)
+    {
+      const int at[] = { cell % GridSize, cell / GridSize % GridSize, cell / GridSize / GridSize };
+      bool isIn = true;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        isIn = isIn && at[axis] >= this->Low[axis] && at[axis] < this->High[axis];
+      }
+      this->Cells[static_cast<std::size_t>(cell)] = isIn;
+    }
+  }
+
+  Point Low, High;
+  GridCells Cells;
+};
+
+GridCells CombineCells(const GridCells& a, const GridCells& b, int operation)
+{
+  return operation == Filter::UNION ? a | b : operation == Filter::DIFFERENCE ? a & ~b : a ^ b;
+}
+
+/// By a matrix of thirds, whose results are rounded.
+Point Turned(const Point& p)
+{
+  return { (2 * p[0] - 2 * p[1] + p[2]) / 3, (p[0] + 2 * p[1] + 2 * p[2]) / 3,
+    (-2 * p[0] - p[1] + 2 * p[2]) / 3 };
+}
+
+/// Faces that touch are in one plane but for rounding; what that leaves between them must not grow.
+TEST(BooleanOperationChains, OfTurnedBoxesThatTouch)
+{
+  constexpr int operations[] = { Filter::UNION, Filter::DIFFERENCE, Filter::SYMMETRIC_DIFFERENCE };
+  for (int number = 0; number < 12; ++number)
+  {
+    SCOPED_TRACE(number);
+    Random random(5000000u + static_cast<std::uint64_t>(number));
+    GridCells cells;
+    Surface made = Surface::New();
+    for (int step = 0; step < 8; ++step)
+    {
+      const int operation = step == 0 ? Filter::UNION : operations[random.Index(3)];
+      const GridBox box(random);
+      cells = CombineCells(cells, box.Cells, operation);
+      vtkNew<Filter> filter;
+      filter->SetInputData(made);
+      filter->SetSourceData(MakePolyData(BoxTriangles(box.Low, box.High).Map(Turned)));
+      filter->SetOperation(operation);
+      made = RunClosed(filter);
+      EXPECT_NEAR(Reported(made, "Volume"), static_cast<double>(cells.count()), 1e-11);
+    }
+    EXPECT_LT(made->GetNumberOfCells(), 2000);
   }
 }
 }

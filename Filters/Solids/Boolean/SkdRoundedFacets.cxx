@@ -7,7 +7,9 @@
 #include "Solids/Surfaces/SkdPointFilter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <numeric>
 
 namespace skdtree
@@ -74,6 +76,28 @@ void TakeOut(const Laid* first, const Laid* last, bool keepsOne, SkdFacetSigns& 
     signs[laid->Facet] = stays ? signs[laid->Facet] : static_cast<signed char>(0);
   }
 }
+
+/// A point to 46 bits of its largest coordinate (some 64 units in the last place), so that those
+/// that differ by rounding are equal, as a rule: where faces lie in one plane but for rounding,
+/// their edges cross each other in many such points.
+skd::Vector3 Coarse(const skd::Vector3& x)
+{
+  constexpr int bits = 46;
+  const double largest = std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
+  std::uint64_t exponent;
+  std::memcpy(&exponent, &largest, sizeof(exponent));
+  exponent &= 0x7ff0000000000000u;
+  double power; // of two, not above the largest
+  std::memcpy(&power, &exponent, sizeof(power));
+  // Added and subtracted, this number leaves multiples of power / 2^bits.
+  const double shift = 1.5 * power * static_cast<double>(1 << (52 - bits));
+  skd::Vector3 coarse;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    coarse[axis] = (x[axis] + shift) - shift;
+  }
+  return coarse;
+}
 }
 
 std::vector<std::uint32_t> SkdFindEqualPoints(
@@ -83,19 +107,19 @@ std::vector<std::uint32_t> SkdFindEqualPoints(
   const double unscaled = 1.0 / placement.Scale;
   const auto given = static_cast<std::uint32_t>(set.GetPoints().size());
   const auto end = given + static_cast<std::uint32_t>(facets.NewPoints.size());
-  const auto storedAt = [&](std::uint32_t point)
-  { return unscaled * facets.GetPosition(set, point); };
+  const auto coarseAt = [&](std::uint32_t point)
+  { return Coarse(unscaled * facets.GetPosition(set, point)); };
   SkdPointFilter filter(facets.NewPoints.size());
   for (std::uint32_t point = given; point < end; ++point)
   {
-    filter.Add(storedAt(point));
+    filter.Add(coarseAt(point));
   }
   SkdWeld weld(facets.NewPoints.size());
   std::vector<std::uint32_t> firsts; // of each position
   std::vector<std::uint32_t> lowest;
   for (std::uint32_t point = given == end ? end : 0; point < end; ++point)
   {
-    const skd::Vector3 x = storedAt(point);
+    const skd::Vector3 x = coarseAt(point);
     if (point < given && !filter.MayHave(x))
     {
       continue;
@@ -105,6 +129,10 @@ std::vector<std::uint32_t> SkdFindEqualPoints(
     {
       firsts.push_back(point);
       continue;
+    }
+    if (point < given)
+    {
+      continue; // given points that are different stay so
     }
     if (lowest.empty())
     {

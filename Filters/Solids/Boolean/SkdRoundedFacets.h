@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdRoundedFacets.h
- * @brief The facets of a boundary as they are stored: points that are different, but round to the
- * same coordinates, are one.
+ * @brief The facets of a boundary as they are stored: points that are equal, or differ by rounding,
+ * are one.
  */
 
 #ifndef SkdRoundedFacets_h
@@ -13,12 +13,14 @@
 
 namespace skdtree
 {
-/// Of each point of an arrangement the lowest one that has the same coordinates when stored; empty
-/// if all have different ones. O(n), a few nanoseconds for each point that is given.
+/// Of each point of an arrangement the lowest one that has the same coordinates when stored, or
+/// nearly (as a rule, if they differ by a few units in the last place of the largest coordinate);
+/// given points stay different. Empty if all are. O(n), a few nanoseconds for each point that is
+/// given.
 std::vector<std::uint32_t> SkdFindEqualPoints(
   const SkdPlacement& placement, const SkdFacets& facets);
 
-/// A boundary whose points of equal coordinates are one. Facets keep their numbers.
+/// A boundary whose points of equal coordinates, or nearly, are one. Facets keep their numbers.
 struct SkdRoundedFacets
 {
   SkdFacets Facets; ///< without layers
