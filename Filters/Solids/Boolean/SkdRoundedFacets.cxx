@@ -77,12 +77,12 @@ void TakeOut(const Laid* first, const Laid* last, bool keepsOne, SkdFacetSigns& 
   }
 }
 
-/// A point to 46 bits of its largest coordinate (some 64 units in the last place), so that those
-/// that differ by rounding are equal, as a rule: where faces lie in one plane but for rounding,
-/// their edges cross each other in many such points.
+/// A point to 48 bits of its largest coordinate (16 units in the last place), so that those that
+/// differ by rounding are equal, as a rule: where faces lie in one plane but for rounding, their
+/// edges cross each other in many such points. With 50 bits too many stay apart.
 skd::Vector3 Coarse(const skd::Vector3& x)
 {
-  constexpr int bits = 46;
+  constexpr int bits = 48;
   const double largest = std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
   std::uint64_t exponent;
   std::memcpy(&exponent, &largest, sizeof(exponent));
@@ -91,6 +91,10 @@ skd::Vector3 Coarse(const skd::Vector3& x)
   std::memcpy(&power, &exponent, sizeof(power));
   // Added and subtracted, this number leaves multiples of power / 2^bits.
   const double shift = 1.5 * power * static_cast<double>(1 << (52 - bits));
+  if (!std::isfinite(shift))
+  {
+    return x; // beyond 1e306
+  }
   skd::Vector3 coarse;
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -14,7 +14,7 @@
 namespace skdtree
 {
 /// Of each point of an arrangement the lowest one that has the same coordinates when stored, or
-/// nearly (as a rule, if they differ by a few units in the last place of the largest coordinate);
+/// nearly (as a rule, if they differ by a few units in the last place of their largest coordinate);
 /// given points stay different. Empty if all are. O(n), a few nanoseconds for each point that is
 /// given.
 std::vector<std::uint32_t> SkdFindEqualPoints(
