@@ -144,6 +144,7 @@ Point Turned(const Point& p)
 }
 
 /// Faces that touch are in one plane but for rounding; what that leaves between them must not grow.
+/// The same boxes along the axes leave up to 300 triangles.
 TEST(BooleanOperationChains, OfTurnedBoxesThatTouch)
 {
   constexpr int operations[] = { Filter::UNION, Filter::DIFFERENCE, Filter::SYMMETRIC_DIFFERENCE };
@@ -153,7 +154,8 @@ TEST(BooleanOperationChains, OfTurnedBoxesThatTouch)
     Random random(5000000u + static_cast<std::uint64_t>(number));
     GridCells cells;
     Surface made = Surface::New();
-    for (int step = 0; step < 8; ++step)
+    vtkIdType most = 0;
+    for (int step = 0; step < 40; ++step)
     {
       const int operation = step == 0 ? Filter::UNION : operations[random.Index(3)];
       const GridBox box(random);
@@ -164,8 +166,9 @@ TEST(BooleanOperationChains, OfTurnedBoxesThatTouch)
       filter->SetOperation(operation);
       made = RunClosed(filter);
       EXPECT_NEAR(Reported(made, "Volume"), static_cast<double>(cells.count()), 1e-11);
+      most = std::max(most, made->GetNumberOfCells());
     }
-    EXPECT_LT(made->GetNumberOfCells(), 2000);
+    EXPECT_LT(most, 450);
   }
 }
 }

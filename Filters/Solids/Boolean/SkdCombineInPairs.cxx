@@ -5,6 +5,7 @@
 #include "Bodies/SkdEdgeTable.h"
 #include "Pipeline/SkdLoop.h"
 #include "Solids/Boolean/SkdJoinPieces.h"
+#include "Solids/Boolean/SkdSlivers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -145,13 +146,18 @@ public:
     const SkdFacetSigns signs = SkdFindBoundary(this->Arrangement, this->Windings,
       [&rule](const SkdRegionWindings& windings) { return rule.IsSolid(windings); });
     const std::vector<std::uint32_t> equal = SkdFindEqualPoints(this->Placement, facets);
-    if (equal.empty())
+    std::optional<SkdRoundedFacets> rounded;
+    if (!equal.empty())
+    {
+      rounded = SkdUniteEqualPoints(facets, equal, signs, false);
+    }
+    SkdRemoveSlivers(this->Placement, facets, signs, rounded);
+    if (!rounded)
     {
       return this->Join(facets, signs);
     }
-    const SkdRoundedFacets rounded = SkdUniteEqualPoints(facets, equal, signs, false);
-    numberFolded += rounded.NumberFolded;
-    return this->Join(rounded.Facets, rounded.Signs);
+    numberFolded += rounded->NumberFolded;
+    return this->Join(rounded->Facets, rounded->Signs);
   }
 
   template <class IsSolid>
@@ -358,25 +364,6 @@ private:
   Progress& Done;
 };
 
-/// A point of a triangle by the areas that it divides it into.
-SkdSplitPoint PointIn(const SkdMovedTriangles& set, std::uint32_t triangle, const skd::Vector3& x)
-{
-  const auto at = set.GetCornerPoints(triangle);
-  const skd::Vector3 normal = Cross(at[1] - at[0], at[2] - at[0]);
-  std::array<double, 3> areas;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const double area = Dot(normal, Cross(at[(i + 1) % 3] - x, at[(i + 2) % 3] - x));
-    areas[i] = std::max(area, 0.0);
-  }
-  const double sum = areas[0] + areas[1] + areas[2];
-  for (double& area : areas)
-  {
-    area = sum > 0.0 ? area / sum : 1.0 / 3.0;
-  }
-  return { x, set.GetCorners(triangle), areas, triangle };
-}
-
 /// A surface as facets, in the order of the triangles that they are of.
 SkdRoundedFacets MakeFacets(const SkdPlacement& placement, const Surface& surface)
 {
@@ -400,8 +387,8 @@ SkdRoundedFacets MakeFacets(const SkdPlacement& placement, const Surface& surfac
         if (number == None)
         {
           number = static_cast<std::uint32_t>(given + facets.NewPoints.size());
-          facets.NewPoints.push_back(
-            PointIn(set, surface.Parents[i], placement.Scale * surface.NewPoints[corner - given]));
+          facets.NewPoints.push_back(SkdPointIn(
+            set, surface.Parents[i], placement.Scale * surface.NewPoints[corner - given]));
         }
         corner = number;
       }

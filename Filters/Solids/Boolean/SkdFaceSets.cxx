@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdFaceSets.h"
 
-#include "Solids/Surfaces/SkdSplitPoints.h"
+#include "Solids/Boolean/SkdRoundedPlane.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkVariant.h"
@@ -53,7 +53,7 @@ SkdFaceSets::SkdFaceSets(const SkdPlacement& placement, const std::vector<SkdBlo
   const char* name, const std::vector<std::string>& others)
   : Moved(&placement.First)
   , Set(&placement.First.GetSet())
-  , Tolerance(4.0 * SkdSplitPoints::ErrorOf(placement.Scale * this->Set->GetLargestCoordinate()))
+  , Tolerance(SkdToleranceOfPlanes(placement))
   , Sets(this->Set->GetTriangles().size())
   , Largest(this->Set->GetTriangles().size())
 {
@@ -129,7 +129,8 @@ void SkdFaceSets::UniteAll(const Key* first, const Key* last)
   }
   for (const Key* key = first; key != last; ++key)
   {
-    if (this->IsInPlane(key->Triangle, largest->Triangle))
+    if (this->FacesAs(key->Triangle, largest->Triangle) &&
+      this->IsInPlane(key->Triangle, largest->Triangle))
     {
       this->Unite(key->Triangle, largest->Triangle, largest->Triangle);
     }
@@ -153,13 +154,24 @@ bool SkdFaceSets::Unite(std::uint32_t a, std::uint32_t b)
   }
   const bool isFirstLarger = Norm(this->NormalOf(first)) >= Norm(this->NormalOf(second));
   const std::uint32_t plane = isFirstLarger ? first : second;
-  const bool areOne = this->HaveSameData(a, b) && this->IsInPlane(a, plane) &&
-    this->IsInPlane(b, plane) && this->IsInPlane(isFirstLarger ? second : first, plane);
+  const auto isIn = [&](std::uint32_t triangle)
+  { return this->FacesAs(triangle, plane) && this->IsInPlane(triangle, plane); };
+  const bool areOne =
+    this->HaveSameData(a, b) && isIn(a) && isIn(b) && isIn(isFirstLarger ? second : first);
   if (areOne)
   {
     this->Unite(a, b, plane);
   }
   return areOne;
+}
+
+bool SkdFaceSets::AreInOnePlane(std::uint32_t a, std::uint32_t b) const
+{
+  const std::uint32_t first = this->Largest[this->Sets.Find(a)];
+  const std::uint32_t second = this->Largest[this->Sets.Find(b)];
+  return Norm(this->NormalOf(first)) >= Norm(this->NormalOf(second))
+    ? this->IsInPlane(second, first)
+    : this->IsInPlane(first, second);
 }
 
 bool SkdFaceSets::HaveSameData(std::uint32_t a, std::uint32_t b) const
@@ -197,23 +209,14 @@ skd::Vector3 SkdFaceSets::NormalOf(std::uint32_t triangle) const
   return Cross(this->At(triangle, 1) - a, this->At(triangle, 2) - a);
 }
 
-/// And faces the same way. What rounding does to a plane grows with the distance from the triangle
-/// that it is of.
+bool SkdFaceSets::FacesAs(std::uint32_t triangle, std::uint32_t plane) const
+{
+  return triangle == plane || Dot(this->NormalOf(plane), this->NormalOf(triangle)) > 0.0;
+}
+
 bool SkdFaceSets::IsInPlane(std::uint32_t triangle, std::uint32_t plane) const
 {
-  const skd::Vector3 normal = this->NormalOf(plane);
-  const skd::Vector3 a = this->At(plane, 0);
-  const double area = Norm(normal);
-  const double side = std::max({ Norm(this->At(plane, 1) - a), Norm(this->At(plane, 2) - a),
-    Norm(this->At(plane, 2) - this->At(plane, 1)) });
-  const double width = area / side;
-  bool isIn = triangle == plane || Dot(normal, this->NormalOf(triangle)) > 0.0;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const skd::Vector3 to = this->At(triangle, i) - a;
-    const double error = this->Tolerance * (1.0 + Norm(to) / width);
-    isIn = isIn && std::abs(Dot(normal, to)) <= error * area;
-  }
-  return isIn;
+  return SkdRoundedPlane(this->Moved->GetCornerPoints(plane), this->Tolerance)
+    .Contains(this->Moved->GetCornerPoints(triangle));
 }
 }

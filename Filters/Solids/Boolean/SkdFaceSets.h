@@ -38,6 +38,9 @@ public:
   /// they are one face.
   bool Unite(std::uint32_t a, std::uint32_t b);
 
+  /// Whether the faces of two triangles lie in one plane, whichever way they face.
+  bool AreInOnePlane(std::uint32_t a, std::uint32_t b) const;
+
 private:
   struct Key;
 
@@ -46,6 +49,7 @@ private:
   void Unite(std::uint32_t a, std::uint32_t b, std::uint32_t largest);
   bool HaveSameData(std::uint32_t a, std::uint32_t b) const;
   bool IsInPlane(std::uint32_t triangle, std::uint32_t plane) const;
+  bool FacesAs(std::uint32_t triangle, std::uint32_t plane) const;
   skd::Vector3 At(std::uint32_t triangle, std::size_t corner) const;
   skd::Vector3 NormalOf(std::uint32_t triangle) const;
 

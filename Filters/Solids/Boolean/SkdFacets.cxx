@@ -35,4 +35,23 @@ SkdFacets::SkdFacets(
   this->Parents.resize(count);
   this->Edges = SkdMakeEdgeTable(this->Corners, set.GetPoints().size() + this->NewPoints.size());
 }
+
+SkdSplitPoint SkdPointIn(
+  const SkdMovedTriangles& set, std::uint32_t triangle, const skd::Vector3& x)
+{
+  const auto at = set.GetCornerPoints(triangle);
+  const skd::Vector3 normal = Cross(at[1] - at[0], at[2] - at[0]);
+  std::array<double, 3> areas;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const double area = Dot(normal, Cross(at[(i + 1) % 3] - x, at[(i + 2) % 3] - x));
+    areas[i] = std::max(area, 0.0);
+  }
+  const double sum = areas[0] + areas[1] + areas[2];
+  for (double& area : areas)
+  {
+    area = sum > 0.0 ? area / sum : 1.0 / 3.0;
+  }
+  return { x, set.GetCorners(triangle), areas, triangle };
+}
 }

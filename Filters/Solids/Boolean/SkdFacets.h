@@ -55,6 +55,14 @@ struct SkdFacets
     return point < given.size() ? given[point] : this->NewPoints[point - given.size()].Position;
   }
 
+  /// Whether it is not all of its parent. Without a call, which a comparison of arrays is.
+  bool IsPiece(const SkdMovedTriangles& set, std::uint32_t facet) const
+  {
+    const SkdTriangleSet::Corners& a = this->Corners[facet];
+    const SkdTriangleSet::Corners& b = set.GetCorners(this->Parents[facet]);
+    return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) != 0;
+  }
+
   std::array<skd::Vector3, 3> GetPositions(const SkdMovedTriangles& set, std::uint32_t facet) const
   {
     const SkdTriangleSet::Corners& corners = this->Corners[facet];
@@ -62,6 +70,10 @@ struct SkdFacets
       this->GetPosition(set, corners[2]) };
   }
 };
+
+/// A point of a triangle by the areas that it divides it into.
+SkdSplitPoint SkdPointIn(
+  const SkdMovedTriangles& set, std::uint32_t triangle, const skd::Vector3& x);
 }
 
 #endif

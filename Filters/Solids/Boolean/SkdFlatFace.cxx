@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace skdtree
@@ -123,7 +124,7 @@ void SkdFlatFace::Surround(int axis, int sign)
 }
 
 //------------------------------------------------------------------------------
-std::vector<SkdFlatFace::Corners> SkdFlatFace::Triangulate()
+std::optional<SkdFlatFace::Triangles> SkdFlatFace::Triangulate()
 {
   const int axis = LargestAxisOf(this->Normal);
   const int sign = this->Normal[axis] < 0.0 ? -1 : 1;
@@ -139,7 +140,7 @@ std::vector<SkdFlatFace::Corners> SkdFlatFace::Triangulate()
   {
     if (made.Add(i) != i)
     {
-      return {};
+      return std::nullopt;
     }
   }
   for (const Ends& edge : this->ListEnds())
@@ -152,106 +153,136 @@ std::vector<SkdFlatFace::Corners> SkdFlatFace::Triangulate()
 //------------------------------------------------------------------------------
 namespace
 {
-/// The triangles on the left of some sides, and all that are reached from these across others.
-class Inside
+/// How often edges go around each triangle, to the left.
+class Windings
 {
 public:
   /// `edges` are ascending.
-  Inside(const std::vector<std::array<int, 3>>& all, const std::vector<Ends>& edges)
+  Windings(const std::vector<std::array<int, 3>>& all, const std::vector<Ends>& edges)
     : All(all)
     , Edges(edges)
-    , IsIn(all.size(), false)
+    , Numbers(all.size(), Unknown)
+    , AreEdges(3 * all.size(), false)
   {
-    for (std::uint32_t triangle = 0; triangle < all.size(); ++triangle)
+    this->Sides.reserve(3 * all.size());
+    for (std::size_t triangle = 0; triangle < all.size(); ++triangle)
     {
       for (std::size_t i = 0; i < 3; ++i)
       {
-        this->Sides.push_back({ SideOf(all[triangle], i), triangle });
+        const Ends side{ all[triangle][i], all[triangle][(i + 1) % 3] };
+        this->Sides.push_back({ KeyOf(side), 3 * triangle + i });
       }
     }
     std::sort(this->Sides.begin(), this->Sides.end());
   }
 
-  /// False if an edge is missing, the other side of one is reached, or a corner below `least`.
+  /// False if an edge is missing. Triangles with corners below `least` are outside of all.
   bool Find(int least)
   {
-    bool isWhole = true;
-    for (const Ends& edge : this->Edges)
+    const bool isWhole = this->MarkEdges();
+    std::vector<std::size_t> found;
+    for (std::size_t triangle = 0; triangle < this->All.size() && found.empty(); ++triangle)
     {
-      isWhole = this->Enter(edge) && isWhole;
-    }
-    for (std::size_t at = 0; isWhole && at < this->Found.size(); ++at)
-    {
-      for (std::size_t i = 0; i < 3; ++i)
+      const auto& corners = this->All[triangle];
+      if (*std::min_element(corners.begin(), corners.end()) < least)
       {
-        const Ends side = SideOf(this->All[this->Found[at]], i);
-        const Ends other{ side.second, side.first };
-        isWhole = isWhole && side.first >= least && !this->IsEdge(other);
-        if (isWhole && !this->IsEdge(side))
-        {
-          this->Enter(other);
-        }
+        this->Numbers[triangle] = 0;
+        found.push_back(triangle);
       }
+    }
+    for (std::size_t at = 0; isWhole && at < found.size(); ++at)
+    {
+      this->Cross(found[at], found);
     }
     return isWhole;
   }
 
-  const std::vector<std::uint32_t>& GetFound() const { return this->Found; }
+  int Get(std::size_t triangle) const { return this->Numbers[triangle]; }
 
 private:
+  static constexpr int Unknown = std::numeric_limits<int>::max();
+
   struct Side
   {
-    Ends Of;
-    std::uint32_t Triangle;
-    bool operator<(const Side& other) const { return this->Of < other.Of; }
+    std::uint64_t Key;  // its ends as one number
+    std::size_t Number; // thrice that of the triangle, and more
+    bool operator<(const Side& other) const { return this->Key < other.Key; }
   };
 
-  static Ends SideOf(const std::array<int, 3>& corners, std::size_t i)
+  static std::uint64_t KeyOf(const Ends& side)
   {
-    return { corners[i], corners[(i + 1) % 3] };
+    return static_cast<std::uint64_t>(side.first) << 32 | static_cast<std::uint32_t>(side.second);
   }
 
-  bool IsEdge(const Ends& side) const
+  bool MarkEdges()
   {
-    return std::binary_search(this->Edges.begin(), this->Edges.end(), side);
+    return std::all_of(this->Edges.begin(), this->Edges.end(),
+      [this](const Ends& edge)
+      {
+        const Side* left = this->FindLeft(edge);
+        if (left)
+        {
+          this->AreEdges[left->Number] = true;
+        }
+        return left != nullptr;
+      });
   }
 
-  /// The triangle on the left of a side.
-  bool Enter(const Ends& side)
+  const Side* FindLeft(const Ends& side) const
   {
-    const auto at = std::lower_bound(this->Sides.begin(), this->Sides.end(), Side{ side, 0 });
-    const bool isThere = at != this->Sides.end() && at->Of == side;
-    if (isThere && !this->IsIn[at->Triangle])
+    const auto at =
+      std::lower_bound(this->Sides.begin(), this->Sides.end(), Side{ KeyOf(side), 0 });
+    return at != this->Sides.end() && at->Key == KeyOf(side) ? &*at : nullptr;
+  }
+
+  /// To the neighbors of a triangle, which are added.
+  void Cross(std::size_t triangle, std::vector<std::size_t>& found)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      this->IsIn[at->Triangle] = true;
-      this->Found.push_back(at->Triangle);
+      const auto& corners = this->All[triangle];
+      const Side* beyond = this->FindLeft({ corners[(i + 1) % 3], corners[i] });
+      if (beyond && this->Numbers[beyond->Number / 3] == Unknown)
+      {
+        this->Numbers[beyond->Number / 3] = this->Numbers[triangle] +
+          this->AreEdges[beyond->Number] - this->AreEdges[3 * triangle + i];
+        found.push_back(beyond->Number / 3);
+      }
     }
-    return isThere;
   }
 
   const std::vector<std::array<int, 3>>& All;
   const std::vector<Ends>& Edges;
-  std::vector<bool> IsIn;
-  std::vector<Side> Sides; // ascending
-  std::vector<std::uint32_t> Found;
+  std::vector<int> Numbers;   // of each triangle
+  std::vector<bool> AreEdges; // of each side, by its number
+  std::vector<Side> Sides;    // ascending
 };
 }
 
-std::vector<SkdFlatFace::Corners> SkdFlatFace::TakeInside(
+std::optional<SkdFlatFace::Triangles> SkdFlatFace::TakeInside(
   const std::vector<std::array<int, 3>>& all) const
 {
   const std::vector<Ends> edges = this->ListEnds();
-  Inside inside(all, edges);
-  std::vector<Corners> taken;
-  if (!inside.Find(3))
+  Windings windings(all, edges);
+  if (!windings.Find(3))
   {
-    return taken;
+    return std::nullopt;
   }
-  for (const std::uint32_t triangle : inside.GetFound())
+  Triangles taken;
+  for (std::size_t triangle = 0; triangle < all.size(); ++triangle)
   {
-    const std::array<int, 3>& numbers = all[triangle];
-    taken.push_back(
-      { this->PointOf[numbers[0]], this->PointOf[numbers[1]], this->PointOf[numbers[2]] });
+    const int winding = windings.Get(triangle);
+    if (winding != 0 && std::abs(winding) != 1)
+    {
+      return std::nullopt;
+    }
+    if (winding != 0)
+    {
+      const std::array<int, 3>& of = all[triangle];
+      const Corners corners{ this->PointOf[of[0]], this->PointOf[of[1]], this->PointOf[of[2]] };
+      winding > 0 ? taken.Left.push_back(corners)
+                  : taken.Right.push_back({ corners[0], corners[2], corners[1] });
+    }
   }
   return taken;
 }

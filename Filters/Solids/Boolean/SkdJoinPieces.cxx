@@ -3,10 +3,11 @@
 #include "Solids/Boolean/SkdJoinPieces.h"
 
 #include "Cells/Read/SkdForEach.h"
-#include "Core/Geometry/DisjointSets.h"
-#include "Core/Geometry/Rows.h"
+#include "Solids/Boolean/SkdBorderCrossings.h"
 #include "Solids/Boolean/SkdFlatFace.h"
-#include "Solids/Surfaces/SkdSplitPoints.h"
+#include "Solids/Boolean/SkdOppositeParts.h"
+#include "Solids/Boolean/SkdRoundedPlane.h"
+#include "Solids/Boolean/SkdSlivers.h"
 
 #include <algorithm>
 #include <array>
@@ -18,47 +19,15 @@ namespace skdtree
 namespace
 {
 using Corners = SkdTriangleSet::Corners;
-constexpr std::uint32_t None = 0xffffffffu;
+using BorderEdge = SkdPieceParts::BorderEdge;
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+constexpr std::uint32_t None = SkdPieceParts::None;
 
-/// A piece at one of its edges, from a corner to the next.
-struct Use
+/// What a part becomes.
+struct Made
 {
-  std::uint64_t Ends;  ///< of the edge, the lower one first, as one number: uses are sorted by it
-  std::uint32_t Piece; ///< among those that are looked at
-  bool IsForward;      ///< from the lower end to the higher
-
-  Use(std::uint32_t from, std::uint32_t to, std::uint32_t piece)
-    : Ends(static_cast<std::uint64_t>(std::min(from, to)) << 32 | std::max(from, to))
-    , Piece(piece)
-    , IsForward(from < to)
-  {
-  }
-
-  std::uint32_t GetFrom() const { return this->GetEnd(this->IsForward); }
-  std::uint32_t GetTo() const { return this->GetEnd(!this->IsForward); }
-  std::uint32_t GetEnd(bool isLower) const
-  {
-    return static_cast<std::uint32_t>(isLower ? this->Ends >> 32 : this->Ends);
-  }
-  bool operator<(const Use& other) const
-  {
-    return this->Ends != other.Ends ? this->Ends < other.Ends : this->Piece < other.Piece;
-  }
-};
-
-/// An edge around a part of a face, which is on its left, as the boundary has it: of a part that is
-/// reversed there, against the order of its facets' corners.
-struct BorderEdge
-{
-  std::uint32_t From;
-  std::uint32_t To;
-  std::uint32_t Part;
-  std::uint32_t Other; ///< the part on its right, of several one each; None if there is none
-
-  bool operator<(const BorderEdge& other) const
-  {
-    return this->From != other.From ? this->From < other.From : this->To < other.To;
-  }
+  bool IsMade = false;                           // else it stays as it was
+  std::array<std::vector<Corners>, 2> Triangles; // that face as its first piece, and the others
 };
 
 class Joiner
@@ -69,216 +38,76 @@ public:
     : Set(placement.First)
     , Facets(facets)
     , Signs(signs)
-    , Origins(origins)
-    , Faces(faces)
-    , Tolerance(4.0 * // of a point and both ends
-        SkdSplitPoints::ErrorOf(placement.Scale * placement.First.GetSet().GetLargestCoordinate()))
+    , Tolerance(SkdToleranceOfPlanes(placement))
+    , Parts(placement.First, facets, signs, origins, faces, this->Tolerance)
   {
+  }
+
+  /// Finds parts that lie on each other, but for those of these pairs of facets. Returns the facets
+  /// split where their borders cross, if they do.
+  std::optional<SkdRoundedFacets> FindOpposite(
+    const SkdFaceSets& faces, const std::vector<Pair>& apart)
+  {
+    const auto areApart = [&](std::uint32_t a, std::uint32_t b) {
+      return std::find(apart.begin(), apart.end(), this->FacetsOf({ a, b })) != apart.end();
+    };
+    this->Opposite = SkdFindOppositeParts(
+      this->Set, this->Facets, this->Signs, this->Parts, faces, this->Tolerance, areApart);
+    return SkdSplitBorders(
+      this->Set, this->Facets, this->Signs, this->Parts, this->Opposite, this->Tolerance);
+  }
+
+  /// Makes these parts one. Returns whether there are any.
+  bool MergeOpposite()
+  {
+    for (const Pair& pair : this->Opposite)
+    {
+      this->Merged.push_back(this->FacetsOf(pair));
+    }
+    if (!this->Opposite.empty())
+    {
+      this->Parts.Merge(this->Opposite);
+    }
+    return !this->Opposite.empty();
   }
 
   std::optional<SkdRoundedFacets> Join()
   {
-    this->ListPieces();
-    if (this->Pieces.empty())
+    if (this->Parts.GetPieces().empty())
     {
       return std::nullopt;
     }
-    this->FindParts();
     this->FindStraight();
     this->TriangulateAll();
-    const bool isAnyNew = std::any_of(this->Made.begin(), this->Made.end(),
-      [](const std::vector<Corners>& made) { return !made.empty(); });
+    const bool isAnyNew = std::any_of(
+      this->MadeOf.begin(), this->MadeOf.end(), [](const Made& made) { return made.IsMade; });
     return isAnyNew ? std::make_optional(this->Gather()) : std::nullopt;
   }
 
-private:
-  /// As in the origins.
-  std::uint32_t OriginOf(std::uint32_t facet) const
+  /// The pairs of facets whose parts were made one, but could not be triangulated so.
+  std::vector<Pair> ListFailed() const
   {
-    const std::uint32_t parent = this->Facets.Parents[facet];
-    return this->Origins.empty() ? 2 * parent : this->Origins[parent];
+    std::vector<Pair> failed;
+    for (std::uint32_t piece = 0; piece < this->Parts.GetPieces().size(); ++piece)
+    {
+      const std::uint32_t facet = this->Parts.GetPieces()[piece];
+      for (const Pair& pair : this->Merged)
+      {
+        if (pair.first == facet && !this->MadeOf[this->Parts.GetPartOf(piece)].IsMade)
+        {
+          failed.push_back(pair);
+        }
+      }
+    }
+    return failed;
   }
 
+private:
   skd::Vector3 At(std::uint32_t point) const { return this->Facets.GetPosition(this->Set, point); }
 
-  /// Without a call, which a comparison of arrays is.
-  static bool AreDifferent(const Corners& a, const Corners& b)
+  Pair FacetsOf(const Pair& parts) const
   {
-    return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) != 0;
-  }
-
-  /// The facets in the boundary of faces that are cut.
-  void ListPieces()
-  {
-    const auto n = static_cast<std::uint32_t>(this->Signs.size());
-    std::vector<bool> isCut(this->Faces.GetNumberOfTriangles(), false);
-    for (std::uint32_t facet = 0; facet < n; ++facet)
-    {
-      if (AreDifferent(
-            this->Facets.Corners[facet], this->Set.GetCorners(this->Facets.Parents[facet])))
-      {
-        isCut[this->Faces.Find(this->OriginOf(facet) / 2)] = true;
-      }
-    }
-    for (std::uint32_t facet = 0; facet < n; ++facet)
-    {
-      if (this->Signs[facet] != 0 && isCut[this->Faces.Find(this->OriginOf(facet) / 2)])
-      {
-        this->Pieces.push_back(facet);
-      }
-    }
-  }
-
-  bool AreOfOneFace(const Use& a, const Use& b) const
-  {
-    const std::uint32_t first = this->Pieces[a.Piece];
-    const std::uint32_t second = this->Pieces[b.Piece];
-    const std::uint32_t ofFirst = this->OriginOf(first);
-    const std::uint32_t ofSecond = this->OriginOf(second);
-    return a.GetFrom() == b.GetTo() && this->Signs[first] == this->Signs[second] &&
-      ofFirst % 2 == ofSecond % 2 && this->Faces.Unite(ofFirst / 2, ofSecond / 2);
-  }
-
-  /// Whether the boundary has the edge from its lower to its higher end there. Two pieces are
-  /// changed along an edge together only if one is and the other is not: faces that are not cut may
-  /// be there, too.
-  bool IsForward(const Use& use) const
-  {
-    return use.IsForward == (this->Signs[this->Pieces[use.Piece]] > 0);
-  }
-
-  /// The connected parts of faces, and the edges around them.
-  void FindParts()
-  {
-    const auto n = static_cast<std::uint32_t>(this->Pieces.size());
-    std::vector<Use> uses;
-    uses.reserve(3 * this->Pieces.size());
-    for (std::uint32_t piece = 0; piece < n; ++piece)
-    {
-      const Corners& corners = this->Facets.Corners[this->Pieces[piece]];
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        uses.emplace_back(corners[i], corners[(i + 1) % 3], piece);
-      }
-    }
-    std::sort(uses.begin(), uses.end());
-    skd::DisjointSets<> parts(n);
-    ForEachEdge(uses,
-      [&](const Use* first, const Use* last)
-      {
-        if (last - first == 2 && this->AreOfOneFace(first[0], first[1]))
-        {
-          parts.Unite(first[0].Piece, first[1].Piece);
-        }
-      });
-    this->PartOf = parts.Number();
-    ForEachEdge(uses, [this](const Use* first, const Use* last) { this->AddBorder(first, last); });
-    std::sort(this->Border.begin(), this->Border.end());
-    const auto count =
-      static_cast<std::size_t>(*std::max_element(this->PartOf.begin(), this->PartOf.end())) + 1;
-    this->PiecesOf = skd::IndexRows(count,
-      [&](const auto& add)
-      {
-        for (std::uint32_t piece = 0; piece < n; ++piece)
-        {
-          add(this->PartOf[piece], piece);
-        }
-      });
-    this->BorderOf = skd::IndexRows(count,
-      [&](const auto& add)
-      {
-        for (std::uint32_t edge = 0; edge < this->Border.size(); ++edge)
-        {
-          add(this->Border[edge].Part, edge);
-        }
-      });
-  }
-
-  template <class Visit>
-  static void ForEachEdge(const std::vector<Use>& uses, const Visit& visit)
-  {
-    const Use* const end = uses.data() + uses.size();
-    for (const Use* first = uses.data(); first != end;)
-    {
-      const Use* last = first + 1;
-      while (last != end && last->Ends == first->Ends)
-      {
-        ++last;
-      }
-      visit(first, last);
-      first = last;
-    }
-  }
-
-  void AddBorder(const Use* first, const Use* last)
-  {
-    const bool areTwo = last - first == 2;
-    if (areTwo && this->AreOfOneFace(first[0], first[1]))
-    {
-      return;
-    }
-    const bool arePair = areTwo && this->IsForward(first[0]) != this->IsForward(first[1]);
-    const std::size_t begin = this->Border.size();
-    for (const Use* use = first; use != last; ++use)
-    {
-      const std::uint32_t other = arePair ? this->PartOf[first[use == first ? 1 : 0].Piece] : None;
-      const std::uint32_t part = this->PartOf[use->Piece];
-      const bool isForward = this->IsForward(*use);
-      this->Border.push_back(
-        { use->GetEnd(isForward), use->GetEnd(!isForward), part, other == part ? None : other });
-    }
-    if (!areTwo)
-    {
-      PairUp(this->Border.data() + begin, this->Border.data() + this->Border.size());
-    }
-  }
-
-  /// Where several parts meet along an edge, as many on each side: of each side the one with the
-  /// least number is beside that of the other, and so on, so that it is the same one all along a
-  /// line.
-  static void PairUp(BorderEdge* first, BorderEdge* last)
-  {
-    std::sort(first, last,
-      [](const BorderEdge& a, const BorderEdge& b)
-      { return a.From != b.From ? a.From < b.From : a.Part < b.Part; });
-    const std::ptrdiff_t half = (last - first) / 2;
-    BorderEdge* const middle = first + half;
-    if (middle == first || middle[-1].From == middle->From || last != middle + half)
-    {
-      return;
-    }
-    for (std::ptrdiff_t i = 0; i < half; ++i)
-    {
-      const bool areSame = first[i].Part == middle[i].Part;
-      first[i].Other = areSame ? None : middle[i].Part;
-      middle[i].Other = areSame ? None : first[i].Part;
-    }
-  }
-
-  //----------------------------------------------------------------------------
-  /// The edge of a part that begins at a point, if there is one only.
-  const BorderEdge* FindNext(std::uint32_t point, std::uint32_t part) const
-  {
-    const BorderEdge* found = nullptr;
-    int count = 0;
-    this->ForEachFrom(point,
-      [&](const BorderEdge& edge)
-      {
-        found = edge.Part == part ? &edge : found;
-        count += edge.Part == part;
-      });
-    return count == 1 ? found : nullptr;
-  }
-
-  template <class Visit>
-  void ForEachFrom(std::uint32_t point, const Visit& visit) const
-  {
-    const BorderEdge wanted{ point, 0, 0, 0 };
-    auto at = std::lower_bound(this->Border.begin(), this->Border.end(), wanted);
-    for (; at != this->Border.end() && at->From == point; ++at)
-    {
-      visit(*at);
-    }
+    return { this->Parts.GetFirstFacetOf(parts.first), this->Parts.GetFirstFacetOf(parts.second) };
   }
 
   /// Whether parts meet at a point along one line, the same before and after it, and no others.
@@ -287,7 +116,7 @@ private:
     constexpr std::size_t most = 16; // parts, which are compared with each other
     std::array<const BorderEdge*, most> edges;
     std::size_t count = 0;
-    this->ForEachFrom(point,
+    this->Parts.ForEachFrom(point,
       [&](const BorderEdge& edge)
       {
         edges[std::min(count, most - 1)] = &edge;
@@ -316,7 +145,7 @@ private:
   void FindStraight()
   {
     this->IsTakenOut.assign(this->Set.GetPoints().size() + this->Facets.NewPoints.size(), false);
-    for (const BorderEdge& edge : this->Border)
+    for (const BorderEdge& edge : this->Parts.GetBorder())
     {
       // Each line once, from one of its ends on.
       if (edge.Other != None && edge.Part < edge.Other && !this->IsWithinLine(edge.From))
@@ -331,8 +160,8 @@ private:
     std::vector<std::uint32_t> line{ first.From, first.To };
     while (this->IsWithinLine(line.back()))
     {
-      const BorderEdge* next = this->FindNext(line.back(), first.Part);
-      if (!next || line.size() > this->Border.size())
+      const BorderEdge* next = this->Parts.FindNext(line.back(), first.Part);
+      if (!next || line.size() > this->Parts.GetBorder().size())
       {
         return;
       }
@@ -377,14 +206,20 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  /// The edges around a part as its facets have them, without points that are taken out.
+  /// 1 or -1 as the boundary has the pieces of a part.
+  signed char SignOf(std::uint32_t part) const
+  {
+    return this->Signs[this->Parts.GetFirstFacetOf(part)];
+  }
+
+  /// The edges around a part as its first facet has them, without points that are taken out.
   std::vector<SkdFlatFace::Edge> ListEdges(std::uint32_t part) const
   {
-    const bool isReversed = this->Signs[this->Pieces[this->PiecesOf[part][0]]] < 0;
+    const bool isReversed = this->SignOf(part) < 0;
     std::vector<SkdFlatFace::Edge> edges;
-    for (const std::uint32_t i : this->BorderOf[part])
+    for (const std::uint32_t i : this->Parts.GetBorderOf(part))
     {
-      const BorderEdge& edge = this->Border[i];
+      const BorderEdge& edge = this->Parts.GetBorder()[i];
       if (this->IsTakenOut[edge.From])
       {
         continue;
@@ -392,7 +227,7 @@ private:
       std::uint32_t to = edge.To;
       while (this->IsTakenOut[to])
       {
-        to = this->FindNext(to, part)->To;
+        to = this->Parts.FindNext(to, part)->To;
       }
       edges.emplace_back(isReversed ? to : edge.From, isReversed ? edge.From : to);
     }
@@ -403,9 +238,9 @@ private:
   bool HasSpare(std::uint32_t part) const
   {
     std::vector<std::uint32_t> onBorder;
-    for (const std::uint32_t edge : this->BorderOf[part])
+    for (const std::uint32_t edge : this->Parts.GetBorderOf(part))
     {
-      onBorder.push_back(this->Border[edge].From);
+      onBorder.push_back(this->Parts.GetBorder()[edge].From);
       if (this->IsTakenOut[onBorder.back()])
       {
         return true;
@@ -414,33 +249,64 @@ private:
     std::sort(onBorder.begin(), onBorder.end());
     const auto isInside = [&](std::uint32_t point)
     { return !std::binary_search(onBorder.begin(), onBorder.end(), point); };
-    const auto pieces = this->PiecesOf[part];
+    const auto pieces = this->Parts.GetPiecesOf(part);
     return std::any_of(pieces.begin(), pieces.end(),
       [&](std::uint32_t piece)
       {
-        const Corners& corners = this->Facets.Corners[this->Pieces[piece]];
+        const Corners& corners = this->Facets.Corners[this->Parts.GetPieces()[piece]];
         return std::any_of(corners.begin(), corners.end(), isInside);
       });
   }
 
-  std::vector<Corners> Triangulate(std::uint32_t part) const
+  /// As the first facet of a part has it; none if the border is not in one plane.
+  std::optional<skd::Vector3> FindNormal(std::uint32_t part) const
   {
     skd::Vector3 normal{};
-    for (const std::uint32_t piece : this->PiecesOf[part])
+    const auto pieces = this->Parts.GetPiecesOf(part);
+    std::uint32_t widest = pieces[0];
+    for (const std::uint32_t piece : pieces)
     {
-      const auto x = this->Facets.GetPositions(this->Set, this->Pieces[piece]);
-      normal = normal + Cross(x[1] - x[0], x[2] - x[0]);
+      if (!this->Parts.IsOpposite(piece))
+      {
+        const auto x = this->Parts.PositionsOf(piece);
+        normal = normal + Cross(x[1] - x[0], x[2] - x[0]);
+      }
+      widest = this->Parts.GetWidthOf(piece) > this->Parts.GetWidthOf(widest) ? piece : widest;
     }
-    return SkdFlatFace(this->ListEdges(part), normal)
-      .Triangulate([this](std::uint32_t point) { return this->At(point); });
+    const SkdRoundedPlane plane(this->Parts.PositionsOf(widest), this->Tolerance);
+    const auto edges = this->Parts.GetBorderOf(part);
+    const bool isFlat = std::all_of(edges.begin(), edges.end(),
+      [&](std::uint32_t edge)
+      { return plane.Contains(this->At(this->Parts.GetBorder()[edge].From)); });
+    return isFlat ? std::make_optional(normal) : std::nullopt;
+  }
+
+  Made Triangulate(std::uint32_t part) const
+  {
+    const std::optional<skd::Vector3> normal = this->FindNormal(part);
+    if (!normal)
+    {
+      return {};
+    }
+    const bool isMerged = this->Parts.IsMerged(part);
+    std::vector<SkdFlatFace::Edge> edges = this->ListEdges(part);
+    if (isMerged && edges.empty())
+    {
+      return { true, {} };
+    }
+    auto triangles = SkdFlatFace(std::move(edges), *normal)
+                       .Triangulate([this](std::uint32_t point) { return this->At(point); });
+    const bool isMade = triangles && (isMerged || triangles->Right.empty());
+    return isMade ? Made{ true, { std::move(triangles->Left), std::move(triangles->Right) } }
+                  : Made{};
   }
 
   /// A part that cannot be triangulated gets its points back, and its neighbours get those that
   /// they share.
   void TriangulateAll()
   {
-    const std::size_t n = this->PiecesOf.size();
-    this->Made.resize(n);
+    const std::size_t n = this->Parts.GetNumberOfParts();
+    this->MadeOf.resize(n);
     std::vector<bool> isRetained(n, false);
     std::vector<std::uint32_t> left(n);
     std::iota(left.begin(), left.end(), 0u);
@@ -451,11 +317,11 @@ private:
         [&](std::size_t i)
         {
           const std::uint32_t part = left[i];
-          this->Made[part].clear();
-          if (this->HasSpare(part))
+          this->MadeOf[part] = {};
+          if (this->Parts.IsMerged(part) || this->HasSpare(part))
           {
-            this->Made[part] = this->Triangulate(part);
-            isFailed[i] = this->Made[part].empty();
+            this->MadeOf[part] = this->Triangulate(part);
+            isFailed[i] = !this->MadeOf[part].IsMade;
           }
         });
       std::vector<std::uint32_t> next;
@@ -478,13 +344,13 @@ private:
 
   void PutBack(std::uint32_t part, std::vector<std::uint32_t>& changed)
   {
-    for (const std::uint32_t i : this->BorderOf[part])
+    for (const std::uint32_t i : this->Parts.GetBorderOf(part))
     {
-      const BorderEdge& edge = this->Border[i];
+      const BorderEdge& edge = this->Parts.GetBorder()[i];
       if (this->IsTakenOut[edge.From])
       {
         this->IsTakenOut[edge.From] = false;
-        this->ForEachFrom(
+        this->Parts.ForEachFrom(
           edge.From, [&](const BorderEdge& other) { changed.push_back(other.Part); });
       }
     }
@@ -506,25 +372,33 @@ private:
       joined.Facets.Parents.push_back(this->Facets.Parents[facet]);
       joined.Signs.push_back(this->Signs[facet]);
     };
-    std::uint32_t piece = 0;
-    std::vector<bool> isDone(this->Made.size(), false);
+    std::uint32_t next = 0;
+    std::array<std::vector<bool>, 2> isDone;
+    isDone.fill(std::vector<bool>(this->MadeOf.size(), false));
+    const std::vector<std::uint32_t>& pieces = this->Parts.GetPieces();
     for (std::uint32_t facet = 0; facet < this->Signs.size(); ++facet)
     {
-      const bool isPiece = piece < this->Pieces.size() && this->Pieces[piece] == facet;
-      const std::uint32_t part = isPiece ? this->PartOf[piece++] : None;
       if (this->Signs[facet] == 0)
       {
         continue;
       }
-      if (!isPiece || this->Made[part].empty())
+      const bool isPiece = next < pieces.size() && pieces[next] == facet;
+      const std::uint32_t piece = isPiece ? next++ : None;
+      const std::uint32_t part = isPiece ? this->Parts.GetPartOf(piece) : None;
+      if (!isPiece || !this->MadeOf[part].IsMade)
       {
         add(facet, this->Facets.Corners[facet]);
+        continue;
       }
-      else if (!isDone[part])
+      const bool isOpposite = this->Parts.IsOpposite(piece);
+      if (!isDone[isOpposite][part])
       {
-        isDone[part] = true;
-        std::for_each(this->Made[part].begin(), this->Made[part].end(),
-          [&](const Corners& corners) { add(facet, corners); });
+        isDone[isOpposite][part] = true;
+        const bool isTurned = this->Signs[facet] != this->SignOf(part);
+        for (const Corners& made : this->MadeOf[part].Triangles[isOpposite])
+        {
+          add(facet, isTurned ? Corners{ made[0], made[2], made[1] } : made);
+        }
       }
     }
     return joined;
@@ -533,23 +407,65 @@ private:
   const SkdMovedTriangles& Set;
   const SkdFacets& Facets;
   const SkdFacetSigns& Signs;
-  const std::vector<std::uint32_t>& Origins;
-  SkdFaceSets& Faces;
   const double Tolerance;
-  std::vector<std::uint32_t> Pieces; // facets
-  std::vector<std::uint32_t> PartOf; // of each piece
-  std::vector<BorderEdge> Border;    // ascending
-  skd::IndexRows PiecesOf;           // of each part
-  skd::IndexRows BorderOf;
-  std::vector<bool> IsTakenOut;           // of each point
-  std::vector<std::vector<Corners>> Made; // of each part; empty: as it was
+  SkdPieceParts Parts;
+  std::vector<Pair> Opposite;   // parts
+  std::vector<Pair> Merged;     // facets, see FacetsOf
+  std::vector<bool> IsTakenOut; // of each point
+  std::vector<Made> MadeOf;     // of each part
 };
+
+/// What is joined once.
+struct Joined
+{
+  std::optional<SkdRoundedFacets> Facets;
+  bool IsMore; // whether parts that lay on each other were looked at, so that more may be there
+};
+
+/// Where parts lie on each other, their borders are split where they cross; else they are made one
+/// where that can be triangulated.
+Joined JoinOnce(const SkdPlacement& placement, const SkdFacets& facets, const SkdFacetSigns& signs,
+  const std::vector<std::uint32_t>& origins, SkdFaceSets& faces)
+{
+  std::vector<Pair> apart;
+  while (true)
+  {
+    Joiner joiner(placement, facets, signs, origins, faces);
+    if (auto split = joiner.FindOpposite(faces, apart))
+    {
+      return { std::move(split), true };
+    }
+    const bool areMerged = joiner.MergeOpposite();
+    std::optional<SkdRoundedFacets> joined = joiner.Join();
+    const std::vector<Pair> failed = joiner.ListFailed();
+    if (failed.empty())
+    {
+      return { std::move(joined), areMerged };
+    }
+    apart.insert(apart.end(), failed.begin(), failed.end());
+  }
+}
 }
 
 std::optional<SkdRoundedFacets> SkdJoinPieces(const SkdPlacement& placement,
   const SkdFacets& facets, const SkdFacetSigns& signs, const std::vector<std::uint32_t>& origins,
   SkdFaceSets& faces)
 {
-  return Joiner(placement, facets, signs, origins, faces).Join();
+  constexpr int most = 16; // times: a part is made one with one other at a time
+  Joined joined = JoinOnce(placement, facets, signs, origins, faces);
+  for (int time = 1; joined.Facets && joined.IsMore && time < most; ++time)
+  {
+    Joined again = JoinOnce(placement, joined.Facets->Facets, joined.Facets->Signs, origins, faces);
+    joined.IsMore = again.IsMore;
+    if (again.Facets)
+    {
+      joined.Facets = std::move(again.Facets);
+    }
+  }
+  if (joined.Facets)
+  {
+    SkdRemoveSlivers(placement, joined.Facets->Facets, joined.Facets->Signs, joined.Facets);
+  }
+  return std::move(joined.Facets);
 }
 }

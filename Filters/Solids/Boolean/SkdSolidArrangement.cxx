@@ -5,6 +5,7 @@
 #include "Pipeline/SkdLoop.h"
 #include "Solids/Boolean/SkdBooleanNames.h"
 #include "Solids/Boolean/SkdJoinPieces.h"
+#include "Solids/Boolean/SkdSlivers.h"
 #include "vtkAlgorithm.h"
 
 #include <algorithm>
@@ -333,6 +334,10 @@ SkdBooleanBoundary SkdSolidArrangement::SelectPieces(
   if (!this->EqualPoints.empty())
   {
     boundary.Rounded = SkdUniteEqualPoints(facets, this->EqualPoints, signs, isImprint);
+  }
+  if (!isImprint)
+  {
+    SkdRemoveSlivers(*this->Placement, facets, signs, boundary.Rounded);
   }
   return boundary;
 }

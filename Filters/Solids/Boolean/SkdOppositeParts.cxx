@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Boolean/SkdOppositeParts.h"
+
+#include <array>
+#include <cmath>
+
+namespace skdtree
+{
+namespace
+{
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+using Triangle = std::array<skd::Vector3, 3>;
+
+class OppositeParts
+{
+public:
+  OppositeParts(const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
+    const SkdPieceParts& parts, const SkdFaceSets& faces, double tolerance)
+    : Set(set)
+    , Facets(facets)
+    , Signs(signs)
+    , Parts(parts)
+    , Faces(faces)
+    , Tolerance(tolerance)
+  {
+    for (std::uint32_t part = 0; part < parts.GetNumberOfParts(); ++part)
+    {
+      this->Normals.push_back(this->FindNormal(part));
+    }
+  }
+
+  template <class AreApart>
+  std::vector<Pair> Find(const AreApart& areApart) const
+  {
+    std::vector<Pair> pairs = this->ListParallel();
+    std::vector<bool> isTaken(this->Normals.size(), false);
+    const auto isLeftOut = [&](const Pair& pair)
+    {
+      const bool isPair = !isTaken[pair.first] && !isTaken[pair.second] &&
+        !areApart(pair.first, pair.second) && this->AreLaid(pair.first, pair.second);
+      isTaken[pair.first] = isTaken[pair.first] || isPair;
+      isTaken[pair.second] = isTaken[pair.second] || isPair;
+      return !isPair;
+    };
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), isLeftOut), pairs.end());
+    return pairs;
+  }
+
+private:
+  /// Of the first piece, as the boundary has it; of length 1.
+  skd::Vector3 FindNormal(std::uint32_t part) const
+  {
+    const std::uint32_t facet = this->Parts.GetFirstFacetOf(part);
+    const Triangle x = this->Set.GetCornerPoints(this->Facets.Parents[facet]);
+    const skd::Vector3 normal = Cross(x[1] - x[0], x[2] - x[0]);
+    return (this->Signs[facet] / Norm(normal)) * normal;
+  }
+
+  /// Parts that meet at a point and face opposite ways, or nearly, each pair once.
+  std::vector<Pair> ListParallel() const
+  {
+    constexpr double least = -1.0 + 1e-6;
+    std::vector<Pair> pairs;
+    const std::vector<SkdPieceParts::BorderEdge>& border = this->Parts.GetBorder();
+    for (std::size_t begin = 0, end = 0; begin < border.size(); begin = end)
+    {
+      while (end < border.size() && border[end].From == border[begin].From)
+      {
+        ++end;
+      }
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const skd::Vector3& normal = this->Normals[border[i].Part];
+        for (std::size_t j = begin; j < i; ++j)
+        {
+          if (Dot(normal, this->Normals[border[j].Part]) < least)
+          {
+            pairs.push_back(std::minmax(border[i].Part, border[j].Part));
+          }
+        }
+      }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+  }
+
+  /// In one plane, and one over the other.
+  bool AreLaid(std::uint32_t a, std::uint32_t b) const
+  {
+    const auto originOf = [this](std::uint32_t part)
+    { return this->Parts.GetOriginOf(this->Parts.GetFirstFacetOf(part)) / 2; };
+    if (!this->Faces.AreInOnePlane(originOf(a), originOf(b)))
+    {
+      return false;
+    }
+    const std::vector<Triangle> ofA = this->ListTriangles(a);
+    const std::vector<Triangle> ofB = this->ListTriangles(b);
+    const skd::Vector3& normal = this->Normals[a];
+    return std::any_of(ofA.begin(), ofA.end(),
+      [&](const Triangle& first)
+      {
+        return std::any_of(ofB.begin(), ofB.end(),
+          [&](const Triangle& second) { return this->DoOverlap(first, second, normal); });
+      });
+  }
+
+  std::vector<Triangle> ListTriangles(std::uint32_t part) const
+  {
+    std::vector<Triangle> triangles;
+    for (const std::uint32_t piece : this->Parts.GetPiecesOf(part))
+    {
+      triangles.push_back(this->Facets.GetPositions(this->Set, this->Parts.GetPieces()[piece]));
+    }
+    return triangles;
+  }
+
+  /// By more than the tolerance, as seen along the normal.
+  bool DoOverlap(const Triangle& a, const Triangle& b, const skd::Vector3& normal) const
+  {
+    return !this->IsBesideAnEdge(a, b, normal) && !this->IsBesideAnEdge(b, a, normal);
+  }
+
+  /// Whether b is outside of a along one of its edges.
+  bool IsBesideAnEdge(const Triangle& a, const Triangle& b, const skd::Vector3& normal) const
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const skd::Vector3 edge = a[(i + 1) % 3] - a[i];
+      const skd::Vector3 across = Cross(normal, edge);
+      const double inside = Dot(across, a[(i + 2) % 3] - a[i]) < 0.0 ? -1.0 : 1.0;
+      const double most = this->Tolerance * Norm(across);
+      const auto isOutside = [&](const skd::Vector3& x)
+      { return inside * Dot(across, x - a[i]) <= most; };
+      if (std::all_of(b.begin(), b.end(), isOutside))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const SkdMovedTriangles& Set;
+  const SkdFacets& Facets;
+  const SkdFacetSigns& Signs;
+  const SkdPieceParts& Parts;
+  const SkdFaceSets& Faces;
+  const double Tolerance;
+  std::vector<skd::Vector3> Normals; // of each part
+};
+}
+
+std::vector<Pair> SkdFindOppositeParts(const SkdMovedTriangles& set, const SkdFacets& facets,
+  const SkdFacetSigns& signs, const SkdPieceParts& parts, const SkdFaceSets& faces,
+  double tolerance, const std::function<bool(std::uint32_t, std::uint32_t)>& areApart)
+{
+  return OppositeParts(set, facets, signs, parts, faces, tolerance).Find(areApart);
+}
+}

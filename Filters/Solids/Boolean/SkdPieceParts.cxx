@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Boolean/SkdPieceParts.h"
+
+#include "Solids/Boolean/SkdRoundedPlane.h"
+
+namespace skdtree
+{
+namespace
+{
+using Corners = SkdTriangleSet::Corners;
+}
+
+//------------------------------------------------------------------------------
+SkdPieceParts::SkdPieceParts(const SkdMovedTriangles& set, const SkdFacets& facets,
+  const SkdFacetSigns& signs, const std::vector<std::uint32_t>& origins, SkdFaceSets& faces,
+  double tolerance)
+  : Set(set)
+  , Facets(facets)
+  , Signs(signs)
+  , Origins(origins)
+  , Faces(faces)
+  , Tolerance(tolerance)
+{
+  this->ListPieces();
+  if (!this->Pieces.empty())
+  {
+    this->ListUses();
+    this->FindParts();
+    this->FindBorder();
+  }
+}
+
+void SkdPieceParts::Merge(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs)
+{
+  skd::DisjointSets<> parts(this->GetNumberOfParts());
+  this->AreOpposite.assign(this->Pieces.size(), false);
+  for (const auto& [first, second] : pairs)
+  {
+    parts.Unite(first, second);
+    for (const std::uint32_t piece : this->PiecesOf[std::max(first, second)])
+    {
+      this->AreOpposite[piece] = true;
+    }
+  }
+  const std::vector<std::uint32_t> numbers = parts.Number();
+  this->AreMerged.assign(numbers.size(), false);
+  for (const auto& pair : pairs)
+  {
+    this->AreMerged[numbers[pair.first]] = true;
+  }
+  for (std::uint32_t& part : this->PartOf)
+  {
+    part = numbers[part];
+  }
+  this->FindBorder();
+}
+
+const SkdPieceParts::BorderEdge* SkdPieceParts::FindNext(
+  std::uint32_t point, std::uint32_t part) const
+{
+  const BorderEdge* found = nullptr;
+  int count = 0;
+  this->ForEachFrom(point,
+    [&](const BorderEdge& edge)
+    {
+      found = edge.Part == part ? &edge : found;
+      count += edge.Part == part;
+    });
+  return count == 1 ? found : nullptr;
+}
+
+//------------------------------------------------------------------------------
+/// The facets in the boundary of faces that are cut.
+void SkdPieceParts::ListPieces()
+{
+  const auto n = static_cast<std::uint32_t>(this->Signs.size());
+  std::vector<bool> isCut(this->Faces.GetNumberOfTriangles(), false);
+  for (std::uint32_t facet = 0; facet < n; ++facet)
+  {
+    if (this->Facets.IsPiece(this->Set, facet))
+    {
+      isCut[this->Faces.Find(this->GetOriginOf(facet) / 2)] = true;
+    }
+  }
+  for (std::uint32_t facet = 0; facet < n; ++facet)
+  {
+    if (this->Signs[facet] != 0 && isCut[this->Faces.Find(this->GetOriginOf(facet) / 2)])
+    {
+      this->Pieces.push_back(facet);
+      this->Widths.push_back(SkdWidthOf(this->Facets.GetPositions(this->Set, facet)));
+    }
+  }
+}
+
+void SkdPieceParts::ListUses()
+{
+  this->Uses.reserve(3 * this->Pieces.size());
+  for (std::uint32_t piece = 0; piece < this->Pieces.size(); ++piece)
+  {
+    const Corners& corners = this->Facets.Corners[this->Pieces[piece]];
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      this->Uses.emplace_back(corners[i], corners[(i + 1) % 3], piece);
+    }
+  }
+  std::sort(this->Uses.begin(), this->Uses.end());
+}
+
+template <class Visit>
+void SkdPieceParts::ForEachEdge(const Visit& visit) const
+{
+  const Use* const end = this->Uses.data() + this->Uses.size();
+  for (const Use* first = this->Uses.data(); first != end;)
+  {
+    const Use* last = first + 1;
+    while (last != end && last->Ends == first->Ends)
+    {
+      ++last;
+    }
+    visit(first, last);
+    first = last;
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdPieceParts::FindParts()
+{
+  skd::DisjointSets<> parts(this->Pieces.size());
+  this->ForEachEdge(
+    [&](const Use* first, const Use* last)
+    {
+      if (last - first == 2 && this->AreOfOneFace(first[0], first[1]))
+      {
+        parts.Unite(first[0].Piece, first[1].Piece);
+      }
+    });
+  this->PartOf = parts.Number();
+}
+
+bool SkdPieceParts::AreOfOneFace(const Use& a, const Use& b) const
+{
+  const std::uint32_t first = this->Pieces[a.Piece];
+  const std::uint32_t second = this->Pieces[b.Piece];
+  const std::uint32_t ofFirst = this->GetOriginOf(first);
+  const std::uint32_t ofSecond = this->GetOriginOf(second);
+  return a.GetFrom() == b.GetTo() && this->Signs[first] == this->Signs[second] &&
+    ofFirst % 2 == ofSecond % 2 && this->Faces.Unite(ofFirst / 2, ofSecond / 2) &&
+    this->AreInOnePlane(a.Piece, b.Piece);
+}
+
+/// Pieces with a common edge, of which one may be a sliver: its parent's plane says nothing of it.
+bool SkdPieceParts::AreInOnePlane(std::uint32_t a, std::uint32_t b) const
+{
+  const auto [thinner, wider] = std::minmax(
+    a, b, [this](std::uint32_t i, std::uint32_t k) { return this->Widths[i] < this->Widths[k]; });
+  return this->Widths[thinner] > this->Tolerance ||
+    SkdRoundedPlane(this->PositionsOf(wider), this->Tolerance).Contains(this->PositionsOf(thinner));
+}
+
+/// Whether the boundary has the edge from its lower to its higher end there. Two pieces are changed
+/// along an edge together only if one is and the other is not: faces that are not cut may be there,
+/// too.
+bool SkdPieceParts::IsForward(const Use& use) const
+{
+  return use.IsForward == (this->Signs[this->Pieces[use.Piece]] > 0);
+}
+
+//------------------------------------------------------------------------------
+void SkdPieceParts::FindBorder()
+{
+  this->Border.clear();
+  this->ForEachEdge([this](const Use* first, const Use* last) { this->AddBorder(first, last); });
+  std::sort(this->Border.begin(), this->Border.end());
+  const auto count =
+    static_cast<std::size_t>(*std::max_element(this->PartOf.begin(), this->PartOf.end())) + 1;
+  this->PiecesOf = skd::IndexRows(count,
+    [&](const auto& add)
+    {
+      for (std::uint32_t piece = 0; piece < this->PartOf.size(); ++piece)
+      {
+        add(this->PartOf[piece], piece);
+      }
+    });
+  this->BorderOf = skd::IndexRows(count,
+    [&](const auto& add)
+    {
+      for (std::uint32_t edge = 0; edge < this->Border.size(); ++edge)
+      {
+        add(this->Border[edge].Part, edge);
+      }
+    });
+}
+
+/// So that the edge is within the part.
+bool SkdPieceParts::AreOppositeOfOnePart(const Use& a, const Use& b) const
+{
+  return this->PartOf[a.Piece] == this->PartOf[b.Piece] && this->IsForward(a) != this->IsForward(b);
+}
+
+void SkdPieceParts::AddBorder(const Use* first, const Use* last)
+{
+  const bool areTwo = last - first == 2;
+  if (areTwo && this->AreOppositeOfOnePart(first[0], first[1]))
+  {
+    return;
+  }
+  const bool arePair = areTwo && this->IsForward(first[0]) != this->IsForward(first[1]);
+  const std::size_t begin = this->Border.size();
+  for (const Use* use = first; use != last; ++use)
+  {
+    const std::uint32_t other = arePair ? this->PartOf[first[use == first ? 1 : 0].Piece] : None;
+    const bool isForward = this->IsForward(*use);
+    this->Border.push_back(
+      { use->GetEnd(isForward), use->GetEnd(!isForward), this->PartOf[use->Piece], other });
+  }
+  if (!areTwo)
+  {
+    BorderEdge* const of = this->Border.data() + begin;
+    BorderEdge* const end = LeaveOutInner(of, this->Border.data() + this->Border.size());
+    PairUp(of, end);
+    this->Border.erase(this->Border.begin() + (end - this->Border.data()), this->Border.end());
+  }
+}
+
+/// Of the uses of one edge: without those that are within a part, which has it in both directions.
+/// Returns the new end.
+SkdPieceParts::BorderEdge* SkdPieceParts::LeaveOutInner(BorderEdge* first, BorderEdge* last)
+{
+  for (BorderEdge* edge = first; edge != last;)
+  {
+    BorderEdge* const other = std::find_if(edge + 1, last,
+      [edge](const BorderEdge& a) { return a.Part == edge->Part && a.From != edge->From; });
+    if (other == last)
+    {
+      ++edge;
+      continue;
+    }
+    last = std::rotate(other, other + 1, last);
+    last = std::rotate(edge, edge + 1, last);
+  }
+  return last;
+}
+
+/// Where several parts meet along an edge, as many on each side: of each side the one with the
+/// least number is beside that of the other, and so on, so that it is the same one all along a
+/// line.
+void SkdPieceParts::PairUp(BorderEdge* first, BorderEdge* last)
+{
+  std::sort(first, last,
+    [](const BorderEdge& a, const BorderEdge& b)
+    { return a.From != b.From ? a.From < b.From : a.Part < b.Part; });
+  const std::ptrdiff_t half = (last - first) / 2;
+  BorderEdge* const middle = first + half;
+  if (middle == first || middle[-1].From == middle->From || last != middle + half)
+  {
+    return;
+  }
+  for (std::ptrdiff_t i = 0; i < half; ++i)
+  {
+    first[i].Other = middle[i].Part;
+    middle[i].Other = first[i].Part;
+  }
+}
+}

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdPieceParts_h
+#define SkdPieceParts_h
+
+#include "Core/Geometry/Rows.h"
+#include "Solids/Boolean/SkdBooleanRule.h"
+#include "Solids/Boolean/SkdFaceSets.h"
+
+#include <algorithm>
+
+namespace skdtree
+{
+/// The pieces in a boundary of faces that are cut, the connected parts of one face that they are,
+/// and the edges around these. O(n log n) for n pieces.
+class SkdPieceParts
+{
+public:
+  static constexpr std::uint32_t None = 0xffffffffu;
+
+  /// An edge around a part, which is on its left, as the boundary has it: of a part that is
+  /// reversed there, against the order of its facets' corners.
+  struct BorderEdge
+  {
+    std::uint32_t From;
+    std::uint32_t To;
+    std::uint32_t Part;
+    std::uint32_t Other; ///< the part on its right, of several one each; None if there is none
+
+    bool operator<(const BorderEdge& other) const
+    {
+      return this->From != other.From ? this->From < other.From : this->To < other.To;
+    }
+  };
+
+  /// `origins` as for SkdJoinPieces; `tolerance` is of points.
+  SkdPieceParts(const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
+    const std::vector<std::uint32_t>& origins, SkdFaceSets& faces, double tolerance);
+
+  /// Makes the parts of each pair one: they lie in one plane and face opposite ways.
+  void Merge(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
+
+  const std::vector<std::uint32_t>& GetPieces() const { return this->Pieces; } ///< facets
+  std::uint32_t GetPartOf(std::uint32_t piece) const { return this->PartOf[piece]; }
+  std::size_t GetNumberOfParts() const { return this->PiecesOf.size(); }
+  skd::IndexRows::Row GetPiecesOf(std::uint32_t part) const { return this->PiecesOf[part]; }
+  bool IsMerged(std::uint32_t part) const
+  {
+    return !this->AreMerged.empty() && this->AreMerged[part];
+  }
+
+  /// Whether a piece faces the other way than the first one of its part.
+  bool IsOpposite(std::uint32_t piece) const
+  {
+    return !this->AreOpposite.empty() && this->AreOpposite[piece];
+  }
+  std::uint32_t GetFirstFacetOf(std::uint32_t part) const
+  {
+    return this->Pieces[this->PiecesOf[part][0]];
+  }
+
+  std::array<skd::Vector3, 3> PositionsOf(std::uint32_t piece) const
+  {
+    return this->Facets.GetPositions(this->Set, this->Pieces[piece]);
+  }
+  double GetWidthOf(std::uint32_t piece) const { return this->Widths[piece]; } ///< least height
+
+  /// Twice the triangle of the face that a facet is of, and 1 more if that is reversed.
+  std::uint32_t GetOriginOf(std::uint32_t facet) const
+  {
+    const std::uint32_t parent = this->Facets.Parents[facet];
+    return this->Origins.empty() ? 2 * parent : this->Origins[parent];
+  }
+
+  const std::vector<BorderEdge>& GetBorder() const { return this->Border; } ///< ascending
+  skd::IndexRows::Row GetBorderOf(std::uint32_t part) const { return this->BorderOf[part]; }
+
+  /// The edge of a part that begins at a point, if there is one only.
+  const BorderEdge* FindNext(std::uint32_t point, std::uint32_t part) const;
+
+  /// Calls visit(edge) for each edge that begins at a point.
+  template <class Visit>
+  void ForEachFrom(std::uint32_t point, const Visit& visit) const
+  {
+    const BorderEdge wanted{ point, 0, 0, 0 };
+    auto at = std::lower_bound(this->Border.begin(), this->Border.end(), wanted);
+    for (; at != this->Border.end() && at->From == point; ++at)
+    {
+      visit(*at);
+    }
+  }
+
+private:
+  /// A piece at one of its edges, from a corner to the next.
+  struct Use
+  {
+    std::uint64_t Ends;  // of the edge, the lower one first, as one number: uses are sorted by it
+    std::uint32_t Piece; // among those that are looked at
+    bool IsForward;      // from the lower end to the higher
+
+    Use(std::uint32_t from, std::uint32_t to, std::uint32_t piece)
+      : Ends(static_cast<std::uint64_t>(std::min(from, to)) << 32 | std::max(from, to))
+      , Piece(piece)
+      , IsForward(from < to)
+    {
+    }
+
+    std::uint32_t GetFrom() const { return this->GetEnd(this->IsForward); }
+    std::uint32_t GetTo() const { return this->GetEnd(!this->IsForward); }
+    std::uint32_t GetEnd(bool isLower) const
+    {
+      return static_cast<std::uint32_t>(isLower ? this->Ends >> 32 : this->Ends);
+    }
+    bool operator<(const Use& other) const
+    {
+      return this->Ends != other.Ends ? this->Ends < other.Ends : this->Piece < other.Piece;
+    }
+  };
+
+  void ListPieces();
+  void ListUses();
+  void FindParts();
+  void FindBorder();
+  bool IsForward(const Use& use) const;
+  bool AreOfOneFace(const Use& a, const Use& b) const;
+  bool AreInOnePlane(std::uint32_t a, std::uint32_t b) const;
+  bool AreOppositeOfOnePart(const Use& a, const Use& b) const;
+  void AddBorder(const Use* first, const Use* last);
+  static BorderEdge* LeaveOutInner(BorderEdge* first, BorderEdge* last);
+  static void PairUp(BorderEdge* first, BorderEdge* last);
+
+  template <class Visit>
+  void ForEachEdge(const Visit& visit) const;
+
+  const SkdMovedTriangles& Set;
+  const SkdFacets& Facets;
+  const SkdFacetSigns& Signs;
+  const std::vector<std::uint32_t>& Origins;
+  SkdFaceSets& Faces;
+  const double Tolerance;
+  std::vector<std::uint32_t> Pieces;
+  std::vector<double> Widths;        // of each piece
+  std::vector<Use> Uses;             // ascending
+  std::vector<std::uint32_t> PartOf; // of each piece
+  std::vector<BorderEdge> Border;
+  skd::IndexRows PiecesOf; // of each part
+  skd::IndexRows BorderOf;
+  std::vector<bool> AreMerged;   // parts; empty: none
+  std::vector<bool> AreOpposite; // pieces; empty: none
+};
+}
+
+#endif
