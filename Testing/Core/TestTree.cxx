@@ -314,6 +314,33 @@ TYPED_TEST(TreeTest, NumbersOfLeavesTellTheirElements)
   }
 }
 
+TYPED_TEST(TreeTest, LeavesWithoutInnerBrothersLieBehindAllInnerNodes)
+{
+  ForEachCapacity<TypeParam::Value>(
+    [](const auto&, const auto& tree, int)
+    {
+      std::uint32_t lastInner = 0;
+      std::uint32_t firstBehind = static_cast<std::uint32_t>(tree.NumberOfNodes());
+      ForEachNode(tree,
+        [&](std::uint32_t index, int)
+        {
+          const auto& node = tree.Open(index);
+          if (node.IsLeaf)
+          {
+            return;
+          }
+          lastInner = std::max(lastInner, index);
+          bool areLeaves = true;
+          for (std::uint32_t lane = 0; lane < node.Count; ++lane)
+          {
+            areLeaves = areLeaves && tree.Open(node.First + lane).IsLeaf;
+          }
+          firstBehind = areLeaves ? std::min(firstBehind, node.First) : firstBehind;
+        });
+      EXPECT_TRUE(tree.NumberOfNodes() < 2 || lastInner < firstBehind);
+    });
+}
+
 TYPED_TEST(TreeTest, SafetyBoxesAreInflatedByTwoEpsilon)
 {
   constexpr int D = TypeParam::Value;

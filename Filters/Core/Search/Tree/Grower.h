@@ -98,7 +98,7 @@ public:
     }
     made.Count =
       static_cast<std::uint16_t>(this->IsByArea ? std::min(Width, leaves) : CountChildren(leaves));
-    made.First = this->Next.fetch_add(made.Count);
+    made.First = this->PlaceOfChildren(made.Count, leaves);
     push(Task{ node, 0, made.Count, range });
   }
 
@@ -134,8 +134,7 @@ public:
   /// When all tasks are done.
   RawVector<Node<D>> TakeNodes()
   {
-    this->Nodes.resize(this->Next);
-    this->Nodes.shrink_to_fit();
+    this->CloseGap();
     return std::move(this->Nodes);
   }
 
@@ -231,6 +230,30 @@ private:
     return this->IsByArea ? 2 * leaves : CountNodes(leaves);
   }
 
+  /// Where the children of a node begin. Those that are all leaves lie behind the other nodes,
+  /// which are then near each other for queries that skip leaves.
+  std::uint32_t PlaceOfChildren(std::uint16_t count, std::uint64_t leaves)
+  {
+    return leaves > Width ? this->Next.fetch_add(count) : this->Behind.fetch_sub(count) - count;
+  }
+
+  /// Splits by area leave some nodes unused before those behind.
+  void CloseGap()
+  {
+    const std::uint32_t gap = this->Behind - this->Next;
+    if (gap == 0)
+    {
+      return;
+    }
+    for (std::uint32_t i = 0; i < this->Next; ++i)
+    {
+      Node<D>& node = this->Nodes[i];
+      node.First -= !node.IsLeaf && node.First >= this->Behind ? gap : 0;
+    }
+    this->Nodes.erase(this->Nodes.begin() + this->Next, this->Nodes.begin() + this->Behind);
+    this->Nodes.shrink_to_fit();
+  }
+
   FloatBox<D> Union(std::uint32_t first, std::uint32_t last) const
   {
     FloatBox<D> box = this->Elements[first].Box;
@@ -324,6 +347,7 @@ private:
   bool IsByArea;
   RawVector<Node<D>> Nodes; // each is written whole when it is begun
   std::atomic<std::uint32_t> Next{ 1 };
+  std::atomic<std::uint32_t> Behind{ static_cast<std::uint32_t>(this->Nodes.size()) };
 };
 
 }
