@@ -42,22 +42,22 @@ vtkIdType FindLists(const SkdCellTree& tree, const skd::RigidMotion* motion, vtk
   bool byId, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds)
 {
   const SkdBatch batch(boxes, SkdBatchOf::Boxes);
-  const SkdBatchLists<vtkIdType> lists(batch, offsets,
-    [&](vtkIdType slot, std::vector<vtkIdType>& values)
+  const auto find = [&](vtkIdType slot, std::vector<vtkIdType>& values)
+  {
+    thread_local vtkNew<vtkIdList> found;
+    double b[6];
+    batch.Read(slot, b);
+    const skd::Box3 box({ { b[0], b[2], b[4] } }, { { b[1], b[3], b[5] } });
+    tree.FindWithinBounds(box, motion, found);
+    vtkIdType* first = found->GetPointer(0);
+    vtkIdType* last = first + found->GetNumberOfIds();
+    if (byId)
     {
-      thread_local vtkNew<vtkIdList> found;
-      double b[6];
-      batch.Read(slot, b);
-      const skd::Box3 box({ { b[0], b[2], b[4] } }, { { b[1], b[3], b[5] } });
-      tree.FindWithinBounds(box, motion, found);
-      vtkIdType* first = found->GetPointer(0);
-      vtkIdType* last = first + found->GetNumberOfIds();
-      if (byId)
-      {
-        std::sort(first, last);
-      }
-      values.insert(values.end(), first, last);
-    });
+      std::sort(first, last);
+    }
+    values.insert(values.end(), first, last);
+  };
+  const SkdBatchLists<vtkIdType> lists(batch, offsets, SkdOneByOne(batch, find));
   vtkIdType* ids = SkdPrepare(cellIds, "SkdCellId", 1, lists.GetNumberOfValues());
   lists.ForEach([ids](vtkIdType index, vtkIdType, vtkIdType id) { SkdStoreAt(ids, index, id); });
   return lists.GetNumberOfValues();
@@ -405,18 +405,18 @@ vtkIdType vtkSkdTreeBatchCellLocator::FindCellsWithinSpheres(vtkDataArray* spher
   const SkdCellTree& tree = this->GetTree();
   const SkdBatch batch(spheres, SkdBatchOf::Spheres);
   using Near = std::pair<double, vtkIdType>; // a squared distance
-  const SkdBatchLists<Near> lists(batch, offsets,
-    [&](vtkIdType slot, std::vector<Near>& values)
-    {
-      double sphere[4];
-      batch.Read(slot, sphere);
-      const double limit2 = sphere[3] >= 0.0 ? sphere[3] * sphere[3] : -1.0;
-      auto& found = tree.FindNearestCells(
-        this->Impl->ToTree(sphere), tree.Cells().NumberOfCells(), limit2, { this->DataSet });
-      std::sort(found.begin(), found.end(),
-        [](const Near& a, const Near& b) { return a.second < b.second; });
-      values.insert(values.end(), found.begin(), found.end());
-    });
+  const auto find = [&](vtkIdType slot, std::vector<Near>& values)
+  {
+    double sphere[4];
+    batch.Read(slot, sphere);
+    const double limit2 = sphere[3] >= 0.0 ? sphere[3] * sphere[3] : -1.0;
+    auto& found = tree.FindNearestCells(
+      this->Impl->ToTree(sphere), tree.Cells().NumberOfCells(), limit2, { this->DataSet });
+    std::sort(
+      found.begin(), found.end(), [](const Near& a, const Near& b) { return a.second < b.second; });
+    values.insert(values.end(), found.begin(), found.end());
+  };
+  const SkdBatchLists<Near> lists(batch, offsets, SkdOneByOne(batch, find));
   const vtkIdType size = lists.GetNumberOfValues();
   vtkIdType* ids = SkdPrepare(cellIds, "SkdCellId", 1, size);
   double* lengths = SkdPrepare(distances, "SkdDistance", 1, size);

@@ -91,11 +91,11 @@ public:
       this->TheTree.View(), this->GetPackets(), segment, tolerance, visitor);
   }
 
-  template <class Visitor>
+  template <bool InOrder, class Visitor>
   bool VisitPacket(const std::vector<Segment<3>>& segments, double maxSpread, double tolerance,
     Visitor visitor) const
   {
-    return skd::VisitPacketHits(this->TheTree.View(), this->GetPackets(), segments.data(),
+    return skd::VisitPacketHits<InOrder>(this->TheTree.View(), this->GetPackets(), segments.data(),
       static_cast<int>(segments.size()), maxSpread, tolerance, visitor);
   }
 
@@ -270,24 +270,24 @@ std::vector<Segment<3>> MakePacket(Random& random, const Mesh& mesh, const Setti
 }
 
 /// What all or the first of the hits of each line are. Returns whether they were a packet.
-template <class Real>
+template <bool OnlyFirst, class Real>
 bool ExpectPacketAsOneByOne(const Mesh& mesh, const Packed<Real>& packed,
-  const std::vector<Segment<3>>& segments, double tolerance, bool onlyFirst)
+  const std::vector<Segment<3>>& segments, double tolerance)
 {
   std::vector<Hits> found(segments.size());
-  const bool isPacket = packed.VisitPacket(segments, HUGE_VAL, tolerance,
+  const bool isPacket = packed.template VisitPacket<OnlyFirst>(segments, HUGE_VAL, tolerance,
     [&](int line, std::uint32_t triangle, const TriangleHit& hit)
     {
       Hits& hits = found[static_cast<std::size_t>(line)];
       hits.push_back(ToTuple(triangle, hit));
-      return onlyFirst ? std::get<0>(*std::min_element(hits.begin(), hits.end())) : 1.0;
+      return OnlyFirst ? std::get<0>(*std::min_element(hits.begin(), hits.end())) : 1.0;
     });
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
     Hits expected = isPacket ? OneByOne(mesh, segments[i], tolerance) : Hits();
     std::sort(found[i].begin(), found[i].end());
-    expected.resize(onlyFirst ? std::min<std::size_t>(expected.size(), 1) : expected.size());
-    found[i].resize(onlyFirst ? std::min<std::size_t>(found[i].size(), 1) : found[i].size());
+    expected.resize(OnlyFirst ? std::min<std::size_t>(expected.size(), 1) : expected.size());
+    found[i].resize(OnlyFirst ? std::min<std::size_t>(found[i].size(), 1) : found[i].size());
     EXPECT_EQ(found[i], expected);
   }
   return isPacket;
@@ -306,8 +306,8 @@ void CheckPackets(const Setting& setting)
     {
       const double tolerance = i % 3 == 0 ? 0.05 * setting.Scale : 0.0;
       const std::vector<Segment<3>> segments = MakePacket(random, mesh, setting);
-      packets += ExpectPacketAsOneByOne(mesh, packed, segments, tolerance, true) ? 1 : 0;
-      packets += ExpectPacketAsOneByOne(mesh, packed, segments, tolerance, false) ? 1 : 0;
+      packets += ExpectPacketAsOneByOne<true>(mesh, packed, segments, tolerance) ? 1 : 0;
+      packets += ExpectPacketAsOneByOne<false>(mesh, packed, segments, tolerance) ? 1 : 0;
     }
   }
   EXPECT_GT(packets, 100);
@@ -376,7 +376,7 @@ TEST(PacketHits, AreOfLinesThatAreNearEachOtherAndRunTheSameWay)
   const Packed<double> packed(MakeMesh(random, 65, false, Filled<3>(0.0), 1.0), 8, 1e-9);
   const auto isPacket = [&](const Segment<3>& a, const Segment<3>& b)
   {
-    return packed.VisitPacket(
+    return packed.VisitPacket<true>(
       { a, b }, 0.5, 0.0, [](int, std::uint32_t, const TriangleHit&) { return 1.0; });
   };
   const Segment<3> segment{ { { -9.0, 0.1, 0.1 } }, { { 9.0, 0.2, 0.2 } } };

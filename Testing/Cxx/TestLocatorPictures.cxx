@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// First hits of the rays of a picture, which a batch finds several at once, are those of each ray.
+// Hits of the rays of a picture, which a batch finds of several at once, are those of each ray.
 
 #include "Support/LocatorOnMesh.h"
 #include "Support/SurfaceMeshes.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkGenericCell.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <gtest/gtest.h>
 
@@ -39,14 +41,46 @@ std::vector<Point> RaysOfPicture(const Bounds& box, bool isPerspective, int n)
   return ends;
 }
 
-/// Returns the number of hits.
-vtkIdType ExpectHitsOfEachRay(
-  vtkSkdTreeCellLocator* locator, const std::vector<Point>& ends, double tolerance)
+vtkSmartPointer<vtkDoubleArray> LinesOf(const std::vector<Point>& ends)
 {
-  vtkNew<vtkDoubleArray> lines;
+  auto lines = vtkSmartPointer<vtkDoubleArray>::New();
   lines->SetNumberOfComponents(6);
   lines->SetNumberOfTuples(static_cast<vtkIdType>(ends.size() / 2));
   std::copy_n(ends.data()->data(), 3 * ends.size(), lines->GetPointer(0));
+  return lines;
+}
+
+void ExpectAllHitsOfEachRay(
+  vtkSkdTreeCellLocator* locator, const std::vector<Point>& ends, double tolerance)
+{
+  const auto lines = LinesOf(ends);
+  vtkNew<vtkIdTypeArray> offsets, ids;
+  vtkNew<vtkDoubleArray> ts, xs;
+  vtkNew<vtkGenericCell> cell;
+  locator->FindAllHits(lines, offsets, ids, ts, xs, tolerance);
+  vtkIdType at = 0;
+  for (vtkIdType i = 0; i < lines->GetNumberOfTuples() && !testing::Test::HasFailure(); ++i)
+  {
+    const Point* end = ends.data() + 2 * i;
+    const LineHits hits = FindAllHits(locator, end[0], end[1], tolerance, cell);
+    ASSERT_EQ(offsets->GetValue(i), at);
+    ASSERT_EQ(offsets->GetValue(i + 1) - at, static_cast<vtkIdType>(hits.Cells.size())) << i;
+    for (std::size_t k = 0; k < hits.Cells.size(); ++k, ++at)
+    {
+      Point x;
+      xs->GetTypedTuple(at, x.data());
+      EXPECT_EQ(ids->GetValue(at), hits.Cells[k]) << i;
+      EXPECT_EQ(x, hits.Points[k]) << i;
+    }
+  }
+}
+
+/// Returns the number of first hits.
+vtkIdType ExpectHitsOfEachRay(
+  vtkSkdTreeCellLocator* locator, const std::vector<Point>& ends, double tolerance)
+{
+  ExpectAllHitsOfEachRay(locator, ends, tolerance);
+  const auto lines = LinesOf(ends);
   vtkNew<vtkIdTypeArray> ids;
   vtkNew<vtkDoubleArray> ts, xs;
   const vtkIdType number = locator->IntersectWithLines(lines, ids, ts, xs, tolerance);

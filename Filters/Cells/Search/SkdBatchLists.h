@@ -12,14 +12,30 @@
 
 namespace skdtree
 {
+/// What SkdBatchLists calls for queries that are answered one by one: find(slot, values).
+template <class Find>
+auto SkdOneByOne(const SkdBatch& batch, const Find& find)
+{
+  return [&batch, find](vtkIdType piece, auto& values, const auto& close)
+  {
+    batch.ForEachIn(piece,
+      [&](vtkIdType slot)
+      {
+        find(slot, values);
+        close(slot);
+      });
+  };
+}
+
 /// The answers of a batch of queries with several answers each: computed in parallel piece by
 /// piece, then concatenated in the order of the slots.
 template <class Value>
 class SkdBatchLists
 {
 public:
-  /// find(slot, values) appends the answers of a query to those of its piece. `offsets` gets, for
-  /// slot i, tuples i and i + 1: the first of its values, and one past the last. It may be nullptr.
+  /// find(piece, values, close) appends the answers of a piece's queries in turn, and calls
+  /// close(slot) after those of each. `offsets` gets, for slot i, tuples i and i + 1: the first of
+  /// its values, and one past the last. It may be nullptr.
   template <class Find>
   SkdBatchLists(const SkdBatch& batch, vtkIdTypeArray* offsets, const Find& find)
     : Batch(batch)
@@ -34,12 +50,12 @@ public:
       [&](vtkIdType piece)
       {
         std::vector<Value>& values = this->Pieces[static_cast<std::size_t>(piece)];
-        batch.ForEachIn(piece,
+        std::size_t before = 0;
+        find(piece, values,
           [&](vtkIdType slot)
           {
-            const std::size_t before = values.size();
-            find(slot, values);
             this->Offsets[slot + 1] = static_cast<vtkIdType>(values.size() - before);
+            before = values.size();
           });
       });
     this->Offsets[0] = 0;

@@ -60,6 +60,14 @@ struct SkdHitCell : SkdLineHit
   vtkIdType Id = -1;
 };
 
+/// A cell that one of several lines hits.
+struct SkdHitOfLine
+{
+  int Line;
+  double T;
+  vtkIdType Id;
+};
+
 /// A crossing of a segment and a surface: the cells Cells[First .. Last) of its list.
 struct SkdCrossing
 {
@@ -84,7 +92,7 @@ struct SkdCrossings
   std::vector<vtkIdType> Cells;
 };
 
-/// The number of lines that SkdCellTree::FindFirstHits takes.
+/// The number of lines that SkdCellTree::FindFirstHits and FindHitsOfLines take.
 constexpr int SkdLinesAtOnce = 8;
 
 /// The test for the intersection of a cell and a box: by the cell itself, or by its safety box
@@ -152,7 +160,8 @@ public:
   /// SkdLineQueries.cxx. A negative tolerance counts as zero. Vectors are the calling thread's.
   SkdHitCell FindFirstHit(
     const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const;
-  /// Whether lines begin and end so near each other that FindFirstHits pays. Of triangles only.
+  /// Whether lines begin and end so near each other that it pays to walk once for all. Of triangles
+  /// only.
   bool AreAlike(const skd::Segment<3>* segments, int count) const;
   /// FindFirstHit of at most SkdLinesAtOnce lines, into as many answers that have found nothing
   /// yet. False: they are not alike, or run different ways, and each is to be asked by itself.
@@ -160,6 +169,9 @@ public:
     const skd::Segment<3>* segments, int count, double tolerance, SkdHitCell* firsts) const;
   const std::vector<SkdHitCell>& FindHits(
     const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const;
+  /// FindHits of at most SkdLinesAtOnce lines, line by line. nullptr: as false of FindFirstHits.
+  const std::vector<SkdHitOfLine>* FindHitsOfLines(
+    const skd::Segment<3>* segments, int count, double tolerance) const;
   /// Of the bounds that the cells have after the motion, unless nullptr; the segment is there, too.
   const std::vector<SkdHitCell>& FindBoundsHits(
     const skd::Segment<3>& segment, double tolerance, const skd::RigidMotion* motion) const;
@@ -305,6 +317,10 @@ private:
   /// skd::VisitTriangleHits, if all cells are triangles whose corners are at hand. False if not.
   template <bool InOrder, class Visitor>
   bool VisitTriangleHits(const skd::Segment<3>& segment, double tolerance, Visitor& visitor) const;
+  /// skd::VisitPacketHits, under the same condition.
+  template <bool InOrder, class Visitor>
+  bool VisitPacketHits(
+    const skd::Segment<3>* segments, int count, double tolerance, Visitor& visitor) const;
 
   /// GetSimplices() of a cell that is not curved; false for others.
   bool GetStraightSimplices(std::uint32_t cell, skd::SimplexSet& simplices) const;

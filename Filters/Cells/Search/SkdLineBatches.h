@@ -238,20 +238,48 @@ struct SkdListedHit
   double T;
 };
 
+/// All hits of the lines of a piece; close(slot) is called after those of each.
+template <class Lines, class Close>
+void SkdFindAllHitsIn(const SkdLineSearch& queries, const SkdBatch& batch, const Lines& lines,
+  vtkIdType piece, std::vector<SkdListedHit>& values, const Close& close)
+{
+  const SkdCellSource source = queries.Source();
+  const bool areNeighbours = SkdAreNeighbours(queries, batch, lines, piece);
+  batch.ForEachFewIn<SkdLinesAtOnce>(piece,
+    [&](const vtkIdType* slots, int count)
+    {
+      skd::Segment<3> segments[SkdLinesAtOnce];
+      std::transform(slots, slots + count, segments,
+        [&](vtkIdType slot) { return queries.Segment(lines.Get(slot)); });
+      const std::vector<SkdHitOfLine>* ofAll =
+        areNeighbours ? queries.Tree.FindHitsOfLines(segments, count, queries.Tolerance) : nullptr;
+      std::size_t next = 0;
+      for (int i = 0; i < count; ++i)
+      {
+        for (; ofAll && next < ofAll->size() && (*ofAll)[next].Line == i; ++next)
+        {
+          values.push_back({ (*ofAll)[next].Id, (*ofAll)[next].T });
+        }
+        if (!ofAll)
+        {
+          for (const SkdHitCell& hit :
+            queries.Tree.FindHits(segments[i], queries.Tolerance, source))
+          {
+            values.push_back({ hit.Id, hit.T });
+          }
+        }
+        close(slots[i]);
+      }
+    });
+}
+
 template <class Lines>
 vtkIdType SkdFindHitLists(const SkdLineSearch& queries, const SkdBatch& batch, const Lines& lines,
   vtkIdTypeArray* offsets, const SkdHitOutputs& outputs)
 {
   const SkdBatchLists<SkdListedHit> hits(batch, offsets,
-    [&](vtkIdType slot, std::vector<SkdListedHit>& values)
-    {
-      const skd::Segment<3> segment = queries.Segment(lines.Get(slot));
-      for (const SkdHitCell& hit :
-        queries.Tree.FindHits(segment, queries.Tolerance, queries.Source()))
-      {
-        values.push_back({ hit.Id, hit.T });
-      }
-    });
+    [&](vtkIdType piece, std::vector<SkdListedHit>& values, const auto& close)
+    { SkdFindAllHitsIn(queries, batch, lines, piece, values, close); });
   const vtkIdType size = hits.GetNumberOfValues();
   vtkIdType* ids = SkdPrepare(outputs.CellIds, "SkdCellId", 1, size);
   double* ts = SkdPrepare(outputs.Parameters, outputs.ParameterName, 1, size);

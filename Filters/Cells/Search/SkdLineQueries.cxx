@@ -219,16 +219,37 @@ bool SkdCellTree::AreAlike(const skd::Segment<3>* segments, int count) const
     skd::LinePacket::AreAlike(segments, count, tree.MaxSpreadOfLines());
 }
 
+template <bool InOrder, class Visitor>
+bool SkdCellTree::VisitPacketHits(
+  const skd::Segment<3>* segments, int count, double tolerance, Visitor& visitor) const
+{
+  if (count < 2 || !this->Packets.HavePoints())
+  {
+    return false;
+  }
+  static_assert(SkdLinesAtOnce <= skd::LinePacket::Width);
+  const double maxDistance = std::max(tolerance, 0.0);
+  const double maxSpread = this->MaxSpreadOfLines();
+  bool areAlike = false;
+  const auto wide = [&](const SkdWideTree& tree)
+  {
+    areAlike = SkdWideWalks::VisitPacketHits(tree, segments, count, maxSpread, maxDistance, InOrder,
+      SkdWidePacketHits::Of<skd::TriangleHit>(visitor));
+  };
+  if (!this->WalkWide(wide))
+  {
+    areAlike = skd::VisitPacketHits<InOrder>(
+      this->View, this->Packets, segments, count, maxSpread, maxDistance, visitor);
+  }
+  return areAlike;
+}
+
 bool SkdCellTree::FindFirstHits(
   const skd::Segment<3>* segments, int count, double tolerance, SkdHitCell* firsts) const
 {
   if (this->Distinct)
   {
     return this->Distinct->FindFirstHits(segments, count, tolerance, firsts);
-  }
-  if (count < 2 || !this->Packets.HavePoints())
-  {
-    return false;
   }
   auto take = [&](int line, std::uint32_t cell, const skd::TriangleHit& hit)
   {
@@ -239,21 +260,7 @@ bool SkdCellTree::FindFirstHits(
     }
     return firsts[line].T;
   };
-  static_assert(SkdLinesAtOnce <= skd::LinePacket::Width);
-  const double maxDistance = std::max(tolerance, 0.0);
-  const double maxSpread = this->MaxSpreadOfLines();
-  bool areAlike = false;
-  const auto wide = [&](const SkdWideTree& tree)
-  {
-    areAlike = SkdWideWalks::VisitPacketHits(
-      tree, segments, count, maxSpread, maxDistance, SkdWidePacketHits::Of<skd::TriangleHit>(take));
-  };
-  if (!this->WalkWide(wide))
-  {
-    areAlike = skd::VisitPacketHits(
-      this->View, this->Packets, segments, count, maxSpread, maxDistance, take);
-  }
-  return areAlike;
+  return this->VisitPacketHits<true>(segments, count, tolerance, take);
 }
 
 //------------------------------------------------------------------------------
@@ -324,6 +331,28 @@ const std::vector<SkdHitCell>& SkdCellTree::FindHits(
   }
   std::sort(hits.begin(), hits.end(), IsBefore);
   return hits;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<SkdHitOfLine>* SkdCellTree::FindHitsOfLines(
+  const skd::Segment<3>* segments, int count, double tolerance) const
+{
+  thread_local std::vector<SkdHitOfLine> list;
+  std::vector<SkdHitOfLine>& hits = list; // found once, as that of EmptyList()
+  hits.clear();
+  auto take = [&](int line, std::uint32_t cell, const skd::TriangleHit& hit)
+  {
+    hits.push_back({ line, SkdTriangleKernel::From(hit).T, this->Store.IdOf(cell) });
+    return 1.0;
+  };
+  if (!this->VisitPacketHits<false>(segments, count, tolerance, take))
+  {
+    return nullptr;
+  }
+  std::sort(hits.begin(), hits.end(),
+    [](const SkdHitOfLine& a, const SkdHitOfLine& b)
+    { return std::tie(a.Line, a.T, a.Id) < std::tie(b.Line, b.T, b.Id); });
+  return &hits;
 }
 
 //------------------------------------------------------------------------------

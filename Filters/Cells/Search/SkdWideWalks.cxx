@@ -156,11 +156,17 @@ void SkdWideWalks::VisitTriangleHits(const SkdWideTree& tree, const void* segmen
 
 //------------------------------------------------------------------------------
 bool SkdWideWalks::VisitPacketHits(const SkdWideTree& tree, const void* segments, int count,
-  double maxSpread, double tolerance, const SkdWidePacketHits& visitor)
+  double maxSpread, double tolerance, bool inOrder, const SkdWidePacketHits& visitor)
 {
   auto take = [&visitor](int line, std::uint32_t cell, const skd::TriangleHit& hit)
   { return visitor.Call(visitor.Self, line, cell, &hit); };
-  return skd::VisitPacketHits(ViewOf(tree), PacketsOf(tree),
-    static_cast<const skd::Segment<3>*>(segments), count, maxSpread, tolerance, take);
+  bool areAlike = false;
+  WithConstant(inOrder,
+    [&](auto order)
+    {
+      areAlike = skd::VisitPacketHits<decltype(order)::value>(ViewOf(tree), PacketsOf(tree),
+        static_cast<const skd::Segment<3>*>(segments), count, maxSpread, tolerance, take);
+    });
+  return areAlike;
 }
 }

@@ -98,7 +98,7 @@ public:
     bool inOrder, const SkdWideHits& visitor);
   /// skd::VisitPacketHits of skd::Segment<3>.
   static bool VisitPacketHits(const SkdWideTree& tree, const void* segments, int count,
-    double maxSpread, double tolerance, const SkdWidePacketHits& visitor);
+    double maxSpread, double tolerance, bool inOrder, const SkdWidePacketHits& visitor);
 };
 }
 

@@ -12,14 +12,16 @@ namespace skd
 {
 
 /// Triangles along the lines of a packet: what any of them may meet is opened once, in the order in
-/// which the first of them comes to it; in a leaf each line has its own leaf filter and exact test.
+/// which the first of them comes to it, or, if that is all the same, in any; in a leaf each line
+/// has its own leaf filter and exact test.
 ///
-/// `visitor(line, element, hit)`: as that of VisitTriangleHits.
-template <class Visitor>
+/// `visitor(line, element, hit)`: as that of VisitTriangleHits; out of order all hits are visited,
+/// whatever it returns.
+template <bool InOrder, class Visitor>
 class AlongLines
 {
 public:
-  static constexpr bool Ordered = true;
+  static constexpr bool Ordered = InOrder;
   static constexpr bool SkipsLeaves = true;
   static constexpr bool GivesKeys = false;
 
@@ -98,8 +100,11 @@ private:
           IntersectWithin(line.View, corner(0), corner(1), corner(2), this->Tolerance))
     {
       const std::uint32_t element = this->Tree.Element(this->Tree.LeafAt(number).First + lane);
-      const double last = this->TheVisitor(i, element, *hit);
-      this->Packet.Lower(i, (last - line.Begin) * line.PerLength);
+      [[maybe_unused]] const double last = this->TheVisitor(i, element, *hit);
+      if constexpr (InOrder)
+      {
+        this->Packet.Lower(i, (last - line.Begin) * line.PerLength);
+      }
     }
   }
 
@@ -111,10 +116,10 @@ private:
   std::optional<One> Lines[LinePacket::Width];
 };
 
-/// VisitTriangleHits() in order, of lines, at most LinePacket::Width, that run the same way along
+/// VisitTriangleHits() of lines, at most LinePacket::Width, that run the same way along
 /// each axis and whose ends are no farther apart along it than `maxSpread`. False: they are, or do
 /// not, or there is only one, and nothing was done.
-template <class Visitor>
+template <bool InOrder, class Visitor>
 SKD_FLATTEN bool VisitPacketHits(const TreeView<3>& tree, const TrianglePackets& packets,
   const Segment<3>* segments, int count, double maxSpread, double tolerance, Visitor& visitor)
 {
@@ -122,7 +127,7 @@ SKD_FLATTEN bool VisitPacketHits(const TreeView<3>& tree, const TrianglePackets&
   {
     return false;
   }
-  AlongLines<Visitor> query(tree, packets, tolerance, visitor);
+  AlongLines<InOrder, Visitor> query(tree, packets, tolerance, visitor);
   for (int i = 0; i < count; ++i)
   {
     if (!query.Add(i, segments[i]))
