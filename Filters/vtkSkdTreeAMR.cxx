@@ -213,19 +213,26 @@ SkdRefineSettings MakeSettings(vtkSkdTreeAMR* self, const SkdRefineState& state)
   return settings;
 }
 
-/// The number of trees that were built, if all can be searched.
-std::optional<int> UpdateTrees(
-  vtkSkdTreeAMR* self, SkdRefineState& state, vtkDataObject* parts, vtkDataObject* field)
+/// The number of trees that were built, if all can be searched, on all processes.
+std::optional<int> UpdateTrees(vtkSkdTreeAMR* self, SkdRefineState& state,
+  vtkInformationVector** inputs, const skd::Processes* processes)
 {
+  std::optional<int> built;
   try
   {
-    return state.Update(self, SkdBlocksOf(parts), field, RequestsOf(self).NeedBoundary());
+    built = state.Update(self, SkdBlocksOf(vtkDataObject::GetData(inputs[0])),
+      vtkDataObject::GetData(inputs[2]), RequestsOf(self).NeedBoundary());
   }
   catch (const std::length_error& error)
   {
     vtkErrorWithObjectMacro(self, "Input cannot be searched: " << error.what());
-    return std::nullopt;
   }
+  const bool isAnyLost = processes && processes->IsAny(!built);
+  if (processes && !isAnyLost)
+  {
+    state.Field.ShareRanges(*processes);
+  }
+  return isAnyLost ? std::nullopt : built;
 }
 
 /// Estimates the size, refines the grid, and reports warnings.
@@ -268,10 +275,12 @@ std::vector<SkdGridField> FindFields(
   settings.IsSecondOrder = true;
   vtkNew<vtkUnstructuredGrid> leafMesh;
   const std::vector<SkdGridCell> leaves = SkdMakeUnstructuredGrid(grid, leafMesh);
+  const bool hasCells = leafMesh->GetNumberOfCells() > 0; // not every process has a base cell
   SkdRemapper remapper;
   remapper.Begin(donor, settings, self);
   remapper.MapConservative(leafMesh, 0, first, last);
-  for (const std::string& warning : remapper.GetFindings().GetWarnings())
+  for (const std::string& warning :
+    hasCells ? remapper.GetFindings().GetWarnings() : std::vector<std::string>())
   {
     vtkWarningWithObjectMacro(self, "The field on the grid (as Source): " << warning);
   }
@@ -308,6 +317,10 @@ bool vtkSkdTreeAMR::RefinesOwn() const
 bool vtkSkdTreeAMR::FindRange(int port, SkdSearchRange& range) const
 {
   range.OfDiagonal = range.OfOwnDiagonal = 1e-3; // more than any rounding
+  if (port == 2)
+  {
+    return this->FindRangeOfField(range);
+  }
   range.WithNearest = this->ComputeDistance;
   for (const SkdDistanceBand& band : this->State->Bands)
   {
@@ -315,6 +328,27 @@ bool vtkSkdTreeAMR::FindRange(int port, SkdSearchRange& range) const
   }
   return port == 0 && this->RefinesOwn() && this->OverlapTest == EXACT && this->InsideLevel == 0 &&
     !this->RefineByNormalDeviation && !this->ComputeInside && !this->ComputeVolumeFraction;
+}
+
+// Gradients of a cell are found from its neighbours, and the space of the field from what all of it
+// looks like.
+bool vtkSkdTreeAMR::FindRangeOfField(SkdSearchRange& range) const
+{
+  this->ReachField(range);
+  range.WithNeighbours = this->ComputeField;
+  range.WithOwn = range.WithOwn || this->ComputeField;
+  range.IsOfOneMesh = this->ComputeField;
+  return this->RefinesOwn();
+}
+
+bool vtkSkdTreeAMR::CanExchange()
+{
+  SkdSearchRange ofParts;
+  SkdSearchRange ofField;
+  return this->SourceDistribution != SOURCE_REPLICATED &&
+    this->GetNumberOfInputConnections(1) == 0 &&
+    (this->FindRange(0, ofParts) ||
+      (this->GetNumberOfInputConnections(2) > 0 && this->FindRange(2, ofField)));
 }
 
 // The base cells of this process, which depend on the bounds of all parts.
@@ -329,9 +363,7 @@ void vtkSkdTreeAMR::SetUpInputs(SkdFilterInputs& inputs)
       vtkInformation* output = outputs->GetInformationObject(0);
       vtkMultiProcessController* controller = SkdControllerOf(output);
       vtkSmartPointer<vtkPolyData>& boxes = this->State->OwnBoxes;
-      SkdSearchRange range;
-      if (!controller || this->SourceDistribution == SOURCE_REPLICATED ||
-        this->GetNumberOfInputConnections(1) > 0 || !this->FindRange(0, range))
+      if (!controller || !this->CanExchange())
       {
         boxes = nullptr;
         return nullptr;
@@ -384,8 +416,8 @@ int vtkSkdTreeAMR::RequestData(
   SkdRefineState& state = *this->State;
   this->PassOptions();
   SkdStopwatch watch;
-  const std::optional<int> treesBuilt = UpdateTrees(
-    this, state, vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[2]));
+  const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
+  const std::optional<int> treesBuilt = UpdateTrees(this, state, inputVector, processes.get());
   const double buildSeconds = watch.Lap();
   std::optional<SkdGrid> grid;
   if (treesBuilt)
@@ -397,7 +429,6 @@ int vtkSkdTreeAMR::RequestData(
     return 1;
   }
   OwnPiece(*grid, outputVector->GetInformationObject(0));
-  const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
   const SkdGridEstimate estimate =
     Refine(this, state, grid->Pieces > 1 && this->RefinesOwn(), processes.get(), *grid);
   SkdGridExtras extras =

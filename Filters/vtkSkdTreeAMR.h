@@ -62,8 +62,9 @@
  * that of one process, including CellLimit. Without Balance and GrowingLayers each refines only its
  * own base cells (of an unstructured grid also the adjacent ones, for hanging nodes), and all
  * processes must update, because they count their cells together.
- * With these, and for overlapping AMR data sets, each refines all. Of the parts each gets all, or
- * what is near its own base cells: see SetSourceDistribution. Reports count a process's own cells.
+ * With these, and for overlapping AMR data sets, each refines all. Of parts and field each gets
+ * all, or what is near its own base cells: see SetSourceDistribution. Reports count a process's own
+ * cells.
  *
  * Bad input, each with one warning or error: an Input without cells gives the base grid unrefined
  * if it is set, else an empty output. A base grid that no part intersects is not refined. A base
@@ -122,11 +123,12 @@ public:
 
   //@{
   /**
-   * What each process gets of parts that lie in pieces on several: see vtkSkdTreeSourceAlgorithm.
-   * SOURCE_EXCHANGED: those of their cells that are near its own base cells, as far as distance
-   * bands go, or with ComputeDistance what is nearest. They are gathered where a process refines
-   * all of the grid (Balance, GrowingLayers, OVERLAPPING_AMR), with a BaseMesh, InsideLevel,
-   * ComputeInside, ComputeVolumeFraction, RefineByNormalDeviation or BLIND; so is Field always.
+   * What each process gets of parts and Field that lie in pieces on several: see
+   * vtkSkdTreeSourceAlgorithm. SOURCE_EXCHANGED: those of their cells that are near its own base
+   * cells, of parts as far as distance bands go, or with ComputeDistance what is nearest. They are
+   * gathered where a process refines all of the grid (Balance, GrowingLayers, OVERLAPPING_AMR) and
+   * with a BaseMesh; parts also with InsideLevel, ComputeInside, ComputeVolumeFraction,
+   * RefineByNormalDeviation or BLIND, and a Field of several blocks with ComputeField.
    */
   vtkSkdTreeChoiceMacro(SourceDistribution, SOURCE_AUTOMATIC, SOURCE_EXCHANGED);
   //@}
@@ -265,6 +267,10 @@ private:
   /// Whether a process refines only its own part of the grid.
   bool RefinesOwn() const;
   bool FindRange(int port, skdtree::SkdSearchRange& range) const;
+  bool FindRangeOfField(skdtree::SkdSearchRange& range) const;
+
+  /// Whether a process may need no more than what is near its own part.
+  bool CanExchange();
 
   vtkSkdTreeAMR(const vtkSkdTreeAMR&) = delete;
   void operator=(const vtkSkdTreeAMR&) = delete;

@@ -225,6 +225,10 @@ std::optional<int> Read(Filter* self, SkdRefineState& state, vtkInformationVecto
     treesBuilt.reset();
   }
   const bool isAnyLost = processes && processes->IsAny(!treesBuilt);
+  if (processes && !isAnyLost)
+  {
+    state.Field.ShareRanges(*processes);
+  }
   return isAnyLost ? std::nullopt : treesBuilt;
 }
 
@@ -294,22 +298,32 @@ void vtkSkdTreeMeshRefinement::SetSurfaceData(vtkDataObject* surface)
   this->SetInputDataInternal(3, surface);
 }
 
-// Whether parts intersect a cell, or are within a band, is known where all that may is there. Sums
-// over parts would be added up in another order, and boxes decide by the size of all.
+// Cells next to those of the own piece have values of the field in it, too.
 void vtkSkdTreeMeshRefinement::SetUpInputs(SkdFilterInputs& inputs)
 {
+  inputs.SetStandIn(2, this->State->FieldArrays.empty() ? -1 : 0);
   inputs.SetDistribution(static_cast<SkdFilterInputs::Distribution>(this->SourceDistribution),
-    [this](int port, SkdSearchRange& range)
-    {
-      range.OfDiagonal = 1e-3;   // more than any rounding
-      range.OfOwnDiagonal = 1.0; // curved cells may be outside the box of their points
-      for (const SkdDistanceBand& band : this->State->Bands)
-      {
-        range.Distance = std::max(range.Distance, band.Distance);
-      }
-      return port == 1 && this->InsideLevel == 0 && !this->RefineByNormalDeviation &&
-        this->OverlapTest == EXACT && this->PointPlacement == FLAT;
-    });
+    [this](int port, SkdSearchRange& range) { return this->FindRange(port, range); });
+}
+
+// Whether parts intersect a cell, or are within a band, and what values the field has there, is
+// known where all that may is there. Sums over parts would be added up in another order, and boxes
+// decide by the size of all.
+bool vtkSkdTreeMeshRefinement::FindRange(int port, SkdSearchRange& range) const
+{
+  range.OfDiagonal = 1e-3;   // more than any rounding
+  range.OfOwnDiagonal = 1.0; // curved cells may be outside the box of their points
+  if (port == 2)
+  {
+    this->ReachField(range);
+    return this->PointPlacement == FLAT;
+  }
+  for (const SkdDistanceBand& band : this->State->Bands)
+  {
+    range.Distance = std::max(range.Distance, band.Distance);
+  }
+  return port == 1 && this->InsideLevel == 0 && !this->RefineByNormalDeviation &&
+    this->OverlapTest == EXACT && this->PointPlacement == FLAT;
 }
 
 int vtkSkdTreeMeshRefinement::RequestDataObject(

@@ -62,8 +62,8 @@
  * levels and SkdHanging, for both methods and all options; CellLimit counts the cells of all
  * processes. Pieces must match at points of equal coordinates. Ghost cells are ignored, and of
  * cells that several processes have one refines each, the others leave it out. All processes must
- * update. Reports describe a process's own piece. Without port 2 the field is the piece itself,
- * without adjacent cells of other pieces. Parts, field and surface must not come from the same
+ * update. Reports describe a process's own piece. Without port 2 the field is the Input, also its
+ * adjacent cells of other pieces. Parts, field and surface must not come from the same
  * source as Input, because VTK's pipeline would then request the whole of it for all ports.
  *
  * Without any criterion (no Parts, no field arrays, no MinimumLevel) all cells are refined once.
@@ -123,10 +123,10 @@ public:
 
   //@{
   /**
-   * What each process gets of Parts that lie in pieces on several: see vtkSkdTreeSourceAlgorithm.
-   * SOURCE_EXCHANGED: those of their cells that are near its piece of Input, as far as distance
-   * bands go. They are gathered with InsideLevel, RefineByNormalDeviation, BLIND, or another
-   * PointPlacement than FLAT; so are Field and Surface always.
+   * What each process gets of Parts and Field that lie in pieces on several: see
+   * vtkSkdTreeSourceAlgorithm. SOURCE_EXCHANGED: those of their cells that are near its piece of
+   * Input, as far as distance bands go. They are gathered with another PointPlacement than FLAT,
+   * Parts also with InsideLevel, RefineByNormalDeviation or BLIND; so is Surface always.
    */
   vtkSkdTreeChoiceMacro(SourceDistribution, SOURCE_AUTOMATIC, SOURCE_EXCHANGED);
   //@}
@@ -201,6 +201,8 @@ protected:
   int OutputPointsPrecision = DEFAULT_PRECISION;
 
 private:
+  bool FindRange(int port, skdtree::SkdSearchRange& range) const;
+
   vtkSkdTreeMeshRefinement(const vtkSkdTreeMeshRefinement&) = delete;
   void operator=(const vtkSkdTreeMeshRefinement&) = delete;
 

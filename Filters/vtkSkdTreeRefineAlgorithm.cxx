@@ -6,6 +6,7 @@
 #include "Meshing/Refine/SkdRefineState.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdSearchRange.h"
 #include "vtkInformation.h"
 
 using namespace skdtree;
@@ -84,6 +85,14 @@ vtkTypeBool vtkSkdTreeRefineAlgorithm::ProcessRequest(
 }
 
 void vtkSkdTreeRefineAlgorithm::SetUpInputs(SkdFilterInputs&) {}
+
+// All processes' cells have the range of values; points of no cell may have a part of it, too.
+void vtkSkdTreeRefineAlgorithm::ReachField(SkdSearchRange& range) const
+{
+  const bool isRelative = this->RelativeFieldThreshold && !this->State->FieldArrays.empty();
+  range.WithOwn = range.WithOwn || isRelative;
+  range.IsOfSamples = range.IsOfSamples || isRelative;
+}
 
 void vtkSkdTreeRefineAlgorithm::PassOptions()
 {

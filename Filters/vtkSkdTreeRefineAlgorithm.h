@@ -22,6 +22,7 @@ namespace skdtree
 {
 class SkdFilterInputs;
 class SkdRefineState;
+struct SkdSearchRange;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -255,6 +256,9 @@ protected:
   /// Called before inputs are gathered: says how, if not all of what is needed whole on each
   /// process.
   virtual void SetUpInputs(skdtree::SkdFilterInputs& inputs);
+
+  /// Of a field that is exchanged, what is needed for settings relative to its range of values.
+  void ReachField(skdtree::SkdSearchRange& range) const;
 
   /// Copies the settings into the State before it is updated.
   void PassOptions();

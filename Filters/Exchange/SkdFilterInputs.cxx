@@ -104,6 +104,7 @@ void SkdFilterInputs::GatherAll(vtkInformationVector** inputs, vtkInformationVec
   {
     retained.push_back(vtkSmartPointer<vtkInformationVector>::New());
     retained.back()->Copy(inputs[port]);
+    this->AddStandIn(inputs, port, retained.back());
     vtkDataObject* near = own;
     if (!this->Own)
     {
@@ -111,6 +112,17 @@ void SkdFilterInputs::GatherAll(vtkInformationVector** inputs, vtkInformationVec
     }
     this->GatherInto(retained.back(), port, near);
     whole.push_back(retained.back());
+  }
+}
+
+void SkdFilterInputs::AddStandIn(
+  vtkInformationVector** all, int port, vtkInformationVector* inputs) const
+{
+  const auto standIn = this->StandIns.find(port);
+  if (standIn != this->StandIns.end() && standIn->second >= 0 &&
+    inputs->GetNumberOfInformationObjects() == 0)
+  {
+    inputs->Append(all[standIn->second]->GetInformationObject(0));
   }
 }
 

@@ -69,6 +69,10 @@ public:
     this->FindMutual = std::move(find);
   }
 
+  /// Where nothing is connected to a port that is needed as a whole, it gets what another port has,
+  /// of which the filter may need more than each process's piece; -1: nothing.
+  void SetStandIn(int port, int other) { this->StandIns[port] = other; }
+
   /// Of which inputs that are needed as a whole the filter asks the processes that have the pieces:
   /// each process gets the cells of its own piece.
   void SetAsks(IsWhole asks) { this->Asks = std::move(asks); }
@@ -119,6 +123,7 @@ private:
   void GatherAll(vtkInformationVector** inputs, vtkInformationVector* outputs,
     std::vector<vtkSmartPointer<vtkInformationVector>>& retained,
     std::vector<vtkInformationVector*>& whole);
+  void AddStandIn(vtkInformationVector** all, int port, vtkInformationVector* inputs) const;
   void GatherInto(vtkInformationVector* inputs, int port, vtkDataObject* own);
   vtkDataObject* Gather(vtkDataObject* piece, std::pair<int, int> slot, vtkDataObject* own,
     vtkMultiProcessController* controller);
@@ -137,6 +142,7 @@ private:
   std::function<bool(SkdSearchRange& range)> FindMutual;
   FindOwn Own;
   IsWhole Asks;
+  std::map<int, int> StandIns;                          // by port
   std::vector<vtkSmartPointer<vtkDataObject>> Pieces;   // by port, during a REQUEST_DATA
   std::map<std::pair<int, int>, SkdWholeInput> Whole;   // by port and connection
   std::map<std::pair<int, int>, SkdNearbyInput> Nearby; // the same

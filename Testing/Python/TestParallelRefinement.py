@@ -166,6 +166,20 @@ def refined_in_common():
         for mesh, limit in ((cells, 10000), (ball, 2000)) for method in ("Bisection", "Regular")]
 
 
+def refined_by_own_field():
+    """By values in the adjacent cells of other processes, too, and relative to those of all."""
+    cells = skdpieces.source("tetrahedra", "cuts", size=3)
+    lines = skdpieces.source("wire", "cuts")
+    asked = [{"FieldTest": test, "FieldThreshold": threshold, "RelativeFieldThreshold": relative}
+        for test, threshold, relative in (("Difference", 0.2, 1), ("Gradient", 60, 0),
+            ("Gradient", 2.0, 1), ("Second Difference", 0.3, 0))]
+    asked.append({"FieldTest": "Value", "FieldRange": [0.8, 1.0], "RelativeFieldThreshold": 1})
+    return [refined(mesh, FieldArrays=["Field"], MaximumLevel=2, Method="Regular",
+            SourceDistribution=distribution, **criterion)
+        for criterion in asked for mesh in (cells, lines)
+        for distribution in ("Replicate", "Exchange")]
+
+
 def grids():
     """Leaves, by each rule and for all criteria."""
     from paraview import simple
@@ -194,7 +208,7 @@ def grids():
 
 def all_rows():
     return (grids() + refined_by_placements() + refined_by_criteria() + refined_by_rules()
-        + refined_in_common())
+        + refined_in_common() + refined_by_own_field())
 
 
 def rows_of_two():

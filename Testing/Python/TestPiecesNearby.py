@@ -37,7 +37,8 @@ def curved(partition):
 
 def filters(partition):
     """Names, how each is made, and its output ports. What depends on the mean radius of all points
-    or on the middle of a process's part of the Input is named ~: it is the same but for rounding."""
+    or on the middle of a process's part of the Input, or is a sum over what is brought, is named ~:
+    it is the same but for rounding."""
     from paraview import simple
 
     image = simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6])
@@ -92,8 +93,29 @@ def filters(partition):
     yield "probe the nearest cells", lambda: simple.SkdTreeProbe(
         Input=image, Source=other, OutsidePoints="Nearest Cell", PassInputData=0), (0,)
     yield from remaps(partition, image, ball, cells, with_both)
+    yield from refinements(ball, few, with_both)
     yield "remap by interpolation", lambda: simple.SkdTreeRemap(Input=image, Source=cells,
         Method="Interpolation", EmptyCells="Leave", PassInputData=0), (0,)
+
+
+def refinements(ball, few, with_both):
+    """By a field, and with its values."""
+    from paraview import simple
+
+    field = {"Field": with_both, "FieldArrays": ["Field"], "MaximumLevel": 2}
+    grid = {"OutputType": "Unstructured Grid", "BaseDimensions": [5, 4, 3]}
+    tests = [("a field", {"FieldThreshold": 20}),
+        ("gradients", {"FieldTest": "Gradient", "FieldThreshold": 60}),
+        ("a relative field", {"FieldThreshold": 0.1, "RelativeFieldThreshold": 1})]
+    for name, test in tests:
+        for input in (ball, few):
+            yield "refined by " + name, lambda input=input, test=test: simple.SkdTreeMeshRefinement(
+                Input=input, Method="Regular", **field, **test), (0,)
+        yield "grid refined by " + name, lambda test=test: simple.SkdTreeAMR(
+            Input=ball, **grid, **field, **test), (0,)
+    for name, asked in (("", {}), (" of what is inside", {"ComputeInside": 1})):
+        yield "~field on a grid" + name, lambda asked=asked: simple.SkdTreeAMR(
+            Input=few, ComputeField=1, **grid, **field, **asked), (0,)
 
 
 def remaps(partition, image, ball, cells, with_both):

@@ -140,44 +140,79 @@ void SkdFieldCriterion::Update(
     }
     ++part;
   }
+  this->FindRanges();
+  this->SetLimits();
+  if (settings.Test == SkdFieldTest::Gradient)
+  {
+    for (Column& column : this->Columns)
+    {
+      column.Values = this->FindGradients(column.Part, column.Values);
+    }
+  }
+}
+
+bool SkdFieldCriterion::IsRelative() const
+{
+  return this->Settings.IsRelative && this->Settings.Test != SkdFieldTest::SecondDifference;
+}
+
+/// Of the finite values of each array in all blocks.
+void SkdFieldCriterion::FindRanges()
+{
+  this->Ranges.clear();
+  for (const Column& column : this->Columns)
+  {
+    ValueRange& range = this->Ranges[column.Name];
+    for (std::size_t i = 0; this->IsRelative() && i < column.Values.size(); ++i)
+    {
+      if (std::isfinite(column.Values[i]))
+      {
+        range.Add(column.Values[i]);
+      }
+    }
+  }
+}
+
+void SkdFieldCriterion::ShareRanges(const skd::Processes& processes)
+{
+  if (!this->IsRelative() || this->Settings.Arrays.empty())
+  {
+    return;
+  }
+  std::vector<double> own;
+  for (const std::string& name : this->Settings.Arrays)
+  {
+    const ValueRange& range = this->Ranges[name];
+    own.insert(own.end(), { range.Least, range.Most });
+  }
+  for (const std::vector<double>& told : processes.GatherFromOthers(own))
+  {
+    std::size_t i = 0;
+    for (const std::string& name : this->Settings.Arrays)
+    {
+      ValueRange& range = this->Ranges[name];
+      range.Least = std::min(range.Least, told[i++]);
+      range.Most = std::max(range.Most, told[i++]);
+    }
+  }
   this->SetLimits();
 }
 
-/// The thresholds of each array; then gradients, which were values until their range was known.
+/// The thresholds of each array.
 void SkdFieldCriterion::SetLimits()
 {
   const SkdFieldSettings& settings = this->Settings;
   const bool isGradient = settings.Test == SkdFieldTest::Gradient;
   const double diagonal = this->Meshes.GetBounds().Diagonal();
-  const bool isRelative = settings.IsRelative && settings.Test != SkdFieldTest::SecondDifference;
+  const bool isRelative = this->IsRelative();
   for (Column& column : this->Columns)
   {
-    const ValueRange range = isRelative ? this->FindRange(column.Name) : ValueRange{ 0.0, 1.0 };
+    const ValueRange range = isRelative ? this->Ranges[column.Name] : ValueRange{ 0.0, 1.0 };
     const double unit = range.Most - range.Least;
     column.Threshold = settings.Threshold * (isRelative && isGradient ? unit / diagonal : unit);
     column.Range[0] = range.Least + settings.Range[0] * unit;
     column.Range[1] = range.Least + settings.Range[1] * unit;
   }
-  for (Column& column : this->Columns)
-  {
-    column.Values = isGradient ? this->FindGradients(column.Part, column.Values) : column.Values;
-  }
-}
-
-/// Of the finite values of an array in all blocks.
-SkdFieldCriterion::ValueRange SkdFieldCriterion::FindRange(const std::string& name) const
-{
-  ValueRange range{ std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
-  for (const Column& column : this->Columns)
-  {
-    for (const double value : column.Values)
-    {
-      const bool counts = column.Name == name && std::isfinite(value);
-      range.Least = counts ? std::min(range.Least, value) : range.Least;
-      range.Most = counts ? std::max(range.Most, value) : range.Most;
-    }
-  }
-  return range;
 }
 
 //------------------------------------------------------------------------------

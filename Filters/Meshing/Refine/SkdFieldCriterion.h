@@ -16,8 +16,12 @@
 #define SkdFieldCriterion_h
 
 #include "Bodies/SkdParts.h"
+#include "Core/Parallel/Processes.h"
 #include "Meshing/Refine/SkdRegion.h"
 
+#include <algorithm>
+#include <limits>
+#include <map>
 #include <set>
 #include <string>
 
@@ -50,6 +54,10 @@ public:
   void Update(
     const std::vector<SkdBlock>& blocks, const SkdFieldSettings& settings, double epsilon);
 
+  /// After Update() of a field of which each process may have another part: what is relative is so
+  /// to the range of values of all. All of them must call it together, with the same settings.
+  void ShareRanges(const skd::Processes& processes);
+
   /// The names of arrays that no block has in the data that the test needs.
   std::set<std::string> GetMissing() const { return this->Missing; }
 
@@ -70,8 +78,14 @@ private:
   class Look;
   struct ValueRange
   {
-    double Least;
-    double Most;
+    double Least = std::numeric_limits<double>::max();
+    double Most = std::numeric_limits<double>::lowest();
+
+    void Add(double value)
+    {
+      this->Least = std::min(this->Least, value);
+      this->Most = std::max(this->Most, value);
+    }
   };
 
   void TakeArray(std::uint32_t part, vtkDataSet* mesh, const std::string& name);
@@ -81,12 +95,14 @@ private:
   double InterpolateAt(const Column& column, const skd::Vector3& x, double maxDistance) const;
   void AddSamples(const Column& column, const SkdRegion& region, Look& look) const;
   bool IsWanted(const Column& column, const SkdRegion& region) const;
+  bool IsRelative() const;
+  void FindRanges();
   void SetLimits();
-  ValueRange FindRange(const std::string& name) const;
 
   SkdParts Meshes;
   SkdFieldSettings Settings;
   std::vector<Column> Columns;
+  std::map<std::string, ValueRange> Ranges; // of arrays, if limits are relative to them
   std::set<std::string> Missing;
 };
 }

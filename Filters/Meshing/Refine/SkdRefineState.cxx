@@ -54,7 +54,9 @@ void SkdRefineState::UpdateField(vtkAlgorithm* self, vtkDataObject* field)
   settings.Threshold = this->Options.FieldThreshold;
   std::copy_n(this->Options.FieldRange, 2, settings.Range);
   settings.IsRelative = this->Options.RelativeFieldThreshold;
-  this->Field.Update(SkdBlocksOf(field), settings, this->Options.Epsilon);
+  const bool isUsed = !this->FieldArrays.empty();
+  this->Field.Update(
+    isUsed ? SkdBlocksOf(field) : std::vector<SkdBlock>(), settings, this->Options.Epsilon);
   for (const std::string& name : this->Field.GetMissing())
   {
     vtkWarningWithObjectMacro(
