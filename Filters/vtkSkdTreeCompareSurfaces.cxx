@@ -11,6 +11,7 @@
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
 #include "Search/Compare/SkdComparison.h"
+#include "Search/Compare/SkdSpreadSides.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -30,6 +31,7 @@ class vtkSkdTreeCompareSurfaces::Internals
 {
 public:
   std::array<SkdComparedInput, 2> Inputs;
+  std::array<SkdSpreadSides, 2> Sides; // of inputs that are in pieces
 };
 
 namespace
@@ -157,7 +159,12 @@ void Report(vtkDataObject* output, const std::array<SkdComparedInput, 2>& inputs
     "Bisections", comparisons[0].Hausdorff.Bisections + comparisons[1].Hausdorff.Bisections);
   report.AddMeasure("Epsilon", std::max(a.GetCounts().Tolerance, b.GetCounts().Tolerance));
   report.AddMeasureOf("ChordalLength", std::max(a.GetChordalLength(), b.GetChordalLength()));
-  report.AddRun(a.GetTreesBuilt() + b.GetTreesBuilt(), buildSeconds, "QuerySeconds", querySeconds);
+  int built = a.GetTreesBuilt() + b.GetTreesBuilt();
+  for (const SkdComparedSet* set : { &a, &b })
+  {
+    built += set->GetSpreadSides() ? set->GetSpreadSides()->GetTreesBuilt() : 0;
+  }
+  report.AddRun(built, buildSeconds, "QuerySeconds", querySeconds);
   if (a.HasSides() || b.HasSides())
   {
     report.AddCount("OpenEdges", a.GetNumberOfOpenEdges() + b.GetNumberOfOpenEdges());
@@ -187,69 +194,118 @@ int vtkSkdTreeCompareSurfaces::RequestDataObject(
   return done;
 }
 
-// The nearest to each point of an own face, and that face. What is inside depends on all faces.
+// The nearest to each point of an own face, and that face.
 bool vtkSkdTreeCompareSurfaces::FindRange(SkdSearchRange& range)
 {
   range.WithOwn = true;
   range.WithNearest = true;
   range.IsOfFaces = true;
   range.IsMutual = true;
-  return !this->SignedDistance;
+  return true;
+}
+
+// Returns whether the pieces of both tell sides.
+bool vtkSkdTreeCompareSurfaces::UpdateSides(vtkMultiProcessController* controller)
+{
+  bool areSure = true;
+  for (int port = 0; port < 2 && areSure; ++port)
+  {
+    SkdSpreadSides& sides = this->Impl->Sides[port];
+    sides.Update(this->Inputs->GetPiece(port), this->Epsilon, controller);
+    areSure = sides.AreSure();
+  }
+  return areSure;
+}
+
+bool vtkSkdTreeCompareSurfaces::AreSidesSure() const
+{
+  const std::array<SkdSpreadSides, 2>& sides = this->Impl->Sides;
+  return sides[0].AreSure() && sides[1].AreSure();
 }
 
 // The set of each input that this process has of it, and the output, of its own piece.
 std::vector<SkdBlock> vtkSkdTreeCompareSurfaces::Prepare(
-  int port, vtkInformationVector* inputs, vtkDataObject* output, const SkdReduction& all)
+  int port, vtkDataObject* data, vtkDataObject* output, bool isInPieces, const SkdReduction& all)
 {
   SkdComparedInput& input = this->Impl->Inputs[port];
-  vtkDataObject* data = vtkDataObject::GetData(inputs);
   vtkDataObject* piece = all.GetNumberOfProcesses() > 1 ? this->Inputs->GetPiece(port) : data;
   input.Blocks = SkdBlocksOf(data);
   input.IsComposite = SkdIsComposite(data);
-  input.Set.Update(input.Blocks, this->SignedDistance, this->Epsilon, this->ChordalDeviation, all);
+  input.Set.Update(
+    input.Blocks, this->SignedDistance && !isInPieces, this->Epsilon, this->ChordalDeviation, all);
+  input.Set.SetSpreadSides(isInPieces ? &this->Impl->Sides[port] : nullptr);
   WarnAbout(this, input, port, all);
   return SkdMirror(piece, output);
 }
 
-int vtkSkdTreeCompareSurfaces::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+// Returns false if sides were to be told by pieces, and are not.
+bool vtkSkdTreeCompareSurfaces::CompareInputs(const std::array<vtkDataObject*, 2>& data,
+  vtkInformationVector* outputVector, bool areInPieces, const SkdReduction& all)
 {
   SkdStopwatch watch;
-  vtkMultiProcessController* controller = SkdControllerOf(inputVector[0]->GetInformationObject(0));
-  if (!controller && SkdIsLaterPiece(outputVector->GetInformationObject(0)))
-  {
-    for (int port = 0; port < 2; ++port)
-    {
-      EmptyAll(SkdMirror(
-        vtkDataObject::GetData(inputVector[port]), vtkDataObject::GetData(outputVector, port)));
-    }
-    return 1; // the first piece has it all
-  }
-  const SkdReduction all(controller);
   std::array<SkdComparedInput, 2>& inputs = this->Impl->Inputs;
   std::array<std::vector<SkdBlock>, 2> outputs;
   for (int port = 0; port < 2; ++port)
   {
     outputs[port] =
-      this->Prepare(port, inputVector[port], vtkDataObject::GetData(outputVector, port), all);
+      this->Prepare(port, data[port], vtkDataObject::GetData(outputVector, port), areInPieces, all);
   }
   const double buildSeconds = watch.Lap();
 
-  SkdLoop loop(this, SkdCountPoints(outputs[0]) + SkdCountPoints(outputs[1]), 0.1, 0.3);
-  SkdAddDistances(outputs[0], inputs[1], loop);
-  SkdAddDistances(outputs[1], inputs[0], loop);
+  const vtkIdType points = SkdCountPoints(outputs[0]) + SkdCountPoints(outputs[1]);
+  SkdLoop loop(this, areInPieces ? 2 * points : points, 0.1, 0.3);
   const Size size(inputs);
   std::array<SkdComparison, 2> comparisons{ { { &inputs[0], &inputs[1], {}, {} },
     { &inputs[1], &inputs[0], {}, {} } } };
-  const bool isWhole = Compare(this, comparisons[0], size, all, 0.3, 0.65) &&
+  const bool isWhole = SkdAddDistances(outputs[0], inputs[1], loop) &&
+    SkdAddDistances(outputs[1], inputs[0], loop) &&
+    Compare(this, comparisons[0], size, all, 0.3, 0.65) &&
     Compare(this, comparisons[1], size, all, 0.65, 1.0);
+  if (areInPieces && !this->AreSidesSure())
+  {
+    return false;
+  }
   if (!all.IsAny(!isWhole || SkdIsAborted(this))) // parts of sums would pass for the whole
   {
     SkdFillComparison(comparisons, all, vtkTable::GetData(outputVector, 2));
   }
-
   Report(vtkDataObject::GetData(outputVector, 0), inputs, comparisons, buildSeconds, watch.Lap());
-  for (SkdComparedInput& input : inputs)
+  return true;
+}
+
+int vtkSkdTreeCompareSurfaces::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  std::array<vtkDataObject*, 2> data{ vtkDataObject::GetData(inputVector[0]),
+    vtkDataObject::GetData(inputVector[1]) };
+  vtkMultiProcessController* controller = SkdControllerOf(inputVector[0]->GetInformationObject(0));
+  if (!controller && SkdIsLaterPiece(outputVector->GetInformationObject(0)))
+  {
+    for (int port = 0; port < 2; ++port)
+    {
+      EmptyAll(SkdMirror(data[port], vtkDataObject::GetData(outputVector, port)));
+    }
+    return 1; // the first piece has it all
+  }
+  const SkdReduction all(controller);
+  const bool areInPieces = this->SignedDistance && controller && !this->Inputs->GetWhole(0);
+  if (!areInPieces)
+  {
+    this->Impl->Sides = {};
+    this->CompareInputs(data, outputVector, false, all);
+  }
+  else if (!this->UpdateSides(controller) || !this->CompareInputs(data, outputVector, true, all))
+  {
+    this->Impl->Sides = {};
+    data = { this->Inputs->GatherNearby(0), this->Inputs->GatherNearby(1) };
+    this->CompareInputs(data, outputVector, false, all);
+  }
+  else
+  {
+    this->Inputs->AddTraffic(this->Impl->Sides[0].GetTraffic());
+    this->Inputs->AddTraffic(this->Impl->Sides[1].GetTraffic());
+  }
+  for (SkdComparedInput& input : this->Impl->Inputs)
   {
     input.Set.Release();
     input.Blocks.clear();

@@ -57,8 +57,10 @@
  * the same, and so are sums but for rounding. With SourceDistribution exchanged a process has of
  * both meshes the cells of its own piece, and those that may be nearest to its own piece of the
  * other; surfaces that are far from each other, compared with the boxes of a 64th of a piece, bring
- * more. All is gathered on each process, but the work still shared, with SignedDistance, because
- * all faces decide what is inside, and where some cells are no faces, or points are of no cell.
+ * more. With SignedDistance processes count the passes of lines through their own faces. All is
+ * gathered on each process, but the work still shared, where that does not tell sides (open edges,
+ * curved faces, bodies that overlap or are nested), some cells are no faces, or points are of no
+ * cell.
  *
  * @sa
  * vtkSkdTreeClosestPoint
@@ -72,6 +74,7 @@
 #include "vtkSkdTreeSetWithin.h" // For properties that have a range
 #include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
+#include <array>  // For std::array
 #include <memory> // For std::unique_ptr
 #include <vector> // For std::vector
 
@@ -82,6 +85,7 @@ struct SkdBlock;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkMultiProcessController;
 
 class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCompareSurfaces : public vtkSkdTreeFacetAlgorithm
 {
@@ -153,8 +157,12 @@ protected:
 
 private:
   bool FindRange(skdtree::SkdSearchRange& range);
-  std::vector<skdtree::SkdBlock> Prepare(int port, vtkInformationVector* inputs,
-    vtkDataObject* output, const skdtree::SkdReduction& all);
+  bool UpdateSides(vtkMultiProcessController* controller);
+  bool AreSidesSure() const;
+  std::vector<skdtree::SkdBlock> Prepare(int port, vtkDataObject* data, vtkDataObject* output,
+    bool isInPieces, const skdtree::SkdReduction& all);
+  bool CompareInputs(const std::array<vtkDataObject*, 2>& data, vtkInformationVector* outputVector,
+    bool areInPieces, const skdtree::SkdReduction& all);
 
   vtkSkdTreeCompareSurfaces(const vtkSkdTreeCompareSurfaces&) = delete;
   void operator=(const vtkSkdTreeCompareSurfaces&) = delete;

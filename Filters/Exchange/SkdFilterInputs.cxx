@@ -75,6 +75,7 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
 {
   const SkdValidInput valid(this->Filter, request, inputs, this->AnyMagnitude);
   this->Pieces.clear();
+  this->OfFilter = {};
   for (int port = 0; port < this->Filter->GetNumberOfInputPorts(); ++port)
   {
     this->Pieces.emplace_back(vtkDataObject::GetData(valid.Get()[port]));
@@ -255,7 +256,7 @@ void SkdFilterInputs::Report(vtkInformationVector* outputs) const
   report.AddCount("SourceExchanged", isExchanged ? 1 : 0);
   if (isExchanged)
   {
-    SkdTraffic sent;
+    SkdTraffic sent = this->OfFilter;
     for (const auto& [slot, nearby] : this->Nearby)
     {
       sent.Add(nearby.GetTraffic());
@@ -313,5 +314,13 @@ vtkDataObject* SkdFilterInputs::GatherSpread(int port)
   vtkDataObject* whole = this->Whole[slot].Update(spread.Piece, spread.Controller);
   this->Spread.erase(slot);
   return whole;
+}
+
+vtkDataObject* SkdFilterInputs::GatherNearby(int port)
+{
+  const std::pair<int, int> slot{ port, 0 };
+  this->Nearby.erase(slot);
+  return this->Whole[slot].Update(
+    this->GetPiece(port), vtkMultiProcessController::GetGlobalController());
 }
 }

@@ -108,6 +108,12 @@ public:
   /// processes must call it together.
   vtkDataObject* GatherSpread(int port);
 
+  /// The same of an input of which there is what is near.
+  vtkDataObject* GatherNearby(int port);
+
+  /// To be reported, too, of this REQUEST_DATA: what the filter has sent itself.
+  void AddTraffic(const SkdTraffic& traffic) { this->OfFilter.Add(traffic); }
+
 private:
   /// An input whose processes are asked.
   struct SpreadInput
@@ -143,6 +149,7 @@ private:
   FindOwn Own;
   IsWhole Asks;
   std::map<int, int> StandIns;                          // by port
+  SkdTraffic OfFilter;                                  // during a REQUEST_DATA
   std::vector<vtkSmartPointer<vtkDataObject>> Pieces;   // by port, during a REQUEST_DATA
   std::map<std::pair<int, int>, SkdWholeInput> Whole;   // by port and connection
   std::map<std::pair<int, int>, SkdNearbyInput> Nearby; // the same

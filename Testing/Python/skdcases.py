@@ -123,6 +123,11 @@ def cases(partition):
         simple.SkdTreeClosestPoint(Input=image, Source=blocks, SignedDistance=1), ["SkdDistance"])
     half = simple.Threshold(
         Input=ball, Scalars=["POINTS", "Elevation"], LowerThreshold=0.1, UpperThreshold=1.0)
+    signed = ["SignedMean", "SignedMeanError", "Mean", "Median", "HausdorffDistance", "Samples"]
+    for name, source in (
+        ("", ball), (" with bodies that overlap", blocks), (" with an open one", half)):
+        yield "compared by sides" + name, Case(simple.SkdTreeCompareSurfaces(
+            Input=other, Source=source, SignedDistance=1), signed, port=2)
     yield "signed, open", Case(
         simple.SkdTreeClosestPoint(Input=image, Source=half, SignedDistance=1), ["SkdDistance"])
     yield "inside of open", Case(

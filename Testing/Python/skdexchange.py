@@ -16,10 +16,11 @@ import skdpieces
 EXCHANGED = {"closest", "closest beside a far point", "closest data", "closest of both",
     "closest signed", "inside", "inside cells", "inside of blocks", "blocks", "data of blocks",
     "contour", "outer surface", "rays from outside", "all hits", "hits within a length", "in a mesh", "probe", "intersection",
-    "overlapping cells", "thickness of cells", "refined", "compared",
+    "overlapping cells", "thickness of cells", "refined", "compared", "compared by sides",
     "grid near surfaces"}
 # Cases in which it turns out that pieces do not do.
-GATHERED = {"signed, bodies that overlap", "signed, open", "inside of open"}
+GATHERED = {"signed, bodies that overlap", "signed, open", "inside of open", "compared by sides with bodies that overlap",
+    "compared by sides with an open one"}
 # Cases that are asked again, within another distance.
 ASKED_AGAIN = {"closest", "closest signed"}
 

@@ -4,6 +4,7 @@
 
 #include "Exchange/SkdNearestExchange.h"
 #include "Pipeline/SkdCoherentSource.h"
+#include "Pipeline/SkdPointsOfBlocks.h"
 
 #include <algorithm>
 #include <tuple>
@@ -98,47 +99,9 @@ private:
   const SkdSpreadSource& Spread;
 };
 
-/// The points of several meshes, one after the other.
-class AllPoints
-{
-public:
-  explicit AllPoints(const std::vector<SkdBlock>& meshes)
-    : Meshes(meshes)
-  {
-    for (const SkdBlock& mesh : meshes)
-    {
-      this->Offsets.push_back(
-        this->Offsets.back() + static_cast<std::size_t>(mesh.Mesh->GetNumberOfPoints()));
-    }
-  }
-
-  std::size_t GetNumber() const { return this->Offsets.back(); }
-
-  /// Calls visit(mesh, point) with the mesh and the id of a point.
-  template <class Visit>
-  void SetResult(std::size_t i, const Visit& visit) const
-  {
-    const auto next = std::upper_bound(this->Offsets.begin(), this->Offsets.end(), i);
-    const auto mesh = static_cast<std::size_t>(next - this->Offsets.begin()) - 1;
-    visit(mesh, static_cast<vtkIdType>(i - this->Offsets[mesh]));
-  }
-
-  skd::Vector3 Get(std::size_t i) const
-  {
-    skd::Vector3 x;
-    this->SetResult(
-      i, [&](std::size_t mesh, vtkIdType point) { this->Meshes[mesh].Mesh->GetPoint(point, x.X); });
-    return x;
-  }
-
-private:
-  const std::vector<SkdBlock>& Meshes;
-  std::vector<std::size_t> Offsets{ 0 };
-};
-
 /// Returns whether it was not aborted on any process.
 template <class Own>
-bool Find(const AllPoints& points, const Own& own, const SkdSpreadSource& spread,
+bool Find(const SkdPointsOfBlocks& points, const Own& own, const SkdSpreadSource& spread,
   double maximumDistance, SkdLoop& loop, SkdRemoteClosest& closest)
 {
   const Searcher<Own> searcher(own, spread);
@@ -147,7 +110,7 @@ bool Find(const AllPoints& points, const Own& own, const SkdSpreadSource& spread
     points.GetNumber(), maximumDistance, [&](std::size_t i) { return points.Get(i); },
     [&](std::size_t i, const SkdNearest& nearest, int process)
     {
-      points.SetResult(i,
+      points.Visit(i,
         [&](std::size_t mesh, vtkIdType point)
         { closest.Answers[mesh].Set(point, nearest, false); });
       closest.Cells.push_back({ process, nearest.Block, nearest.CellId });
@@ -172,7 +135,7 @@ SkdRemoteClosest SkdFindRemoteClosest(const std::vector<SkdBlock>& meshes, const
   const SkdSpreadSource& spread, double maximumDistance, SkdLoop& loop)
 {
   SkdRemoteClosest closest = MakeEmpty(meshes);
-  Find(AllPoints(meshes), OwnCells(own, spread), spread, maximumDistance, loop, closest);
+  Find(SkdPointsOfBlocks(meshes), OwnCells(own, spread), spread, maximumDistance, loop, closest);
   return closest;
 }
 
@@ -181,7 +144,7 @@ std::optional<SkdRemoteClosest> SkdFindRemoteSigned(const std::vector<SkdBlock>&
   SkdSpreadBody& body, const SkdSpreadSource& spread, double maximumDistance, SkdLoop& loop)
 {
   SkdRemoteClosest closest = MakeEmpty(meshes);
-  const AllPoints points(meshes);
+  const SkdPointsOfBlocks points(meshes);
   if (!Find(points, body, spread, maximumDistance, loop, closest))
   {
     return MakeEmpty(meshes);
@@ -189,7 +152,7 @@ std::optional<SkdRemoteClosest> SkdFindRemoteSigned(const std::vector<SkdBlock>&
   const auto hasNearest = [&](std::size_t i)
   {
     bool has = false;
-    points.SetResult(i,
+    points.Visit(i,
       [&](std::size_t mesh, vtkIdType point) { has = closest.Answers[mesh].GetBlock(point) >= 0; });
     return has;
   };
@@ -197,7 +160,7 @@ std::optional<SkdRemoteClosest> SkdFindRemoteSigned(const std::vector<SkdBlock>&
     points.GetNumber(), [&](std::size_t i) { return points.Get(i); }, hasNearest,
     [&](std::size_t i, bool isInside)
     {
-      points.SetResult(i,
+      points.Visit(i,
         [&](std::size_t mesh, vtkIdType point)
         { closest.Answers[mesh].SetInside(point, isInside); });
     },

@@ -210,5 +210,6 @@ void SkdComparedSet::Release()
   this->OwnElements = {};
   this->NumberOfOwn = 0;
   this->Sided = false;
+  this->SpreadSides = nullptr;
 }
 }

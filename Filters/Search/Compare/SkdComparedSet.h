@@ -20,6 +20,8 @@
 
 namespace skdtree
 {
+class SkdSpreadSides;
+
 class SkdComparedSet
 {
 public:
@@ -72,12 +74,20 @@ public:
 
   ///@{
   /// Of what was wanted at the last Update(); without sides, nothing is inside. Thread-safe.
-  bool HasSides() const { return this->Sided; }
+  bool HasSides() const { return this->Sided || this->SpreadSides; }
+  bool KnowsSides() const { return this->Sided; } // this process
   bool IsInside(const skd::Vector3& x) const { return this->Sided && this->Side.IsInside(x.X); }
   vtkIdType GetNumberOfOpenEdges() const
   {
     return this->Sided ? this->Side.GetNumberOfOpenEdges() : 0;
   }
+  ///@}
+
+  ///@{
+  /// What processes tell together of a set whose pieces they have, until the next Update();
+  /// nullptr: nothing.
+  void SetSpreadSides(SkdSpreadSides* sides) { this->SpreadSides = sides; }
+  SkdSpreadSides* GetSpreadSides() const { return this->SpreadSides; }
   ///@}
 
   ///@{
@@ -120,6 +130,7 @@ private:
   SkdSourceTrees Trees;
   SkdSignedSource Side;
   bool Sided = false;
+  SkdSpreadSides* SpreadSides = nullptr;
   int TreesBuilt = 0;
   double ChordalLength = 0.0;
   vtkIdType CoarseFaces = 0;

@@ -3,6 +3,8 @@
 #include "Search/Compare/SkdComparison.h"
 
 #include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdPointsOfBlocks.h"
+#include "Search/Compare/SkdSpreadSides.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -55,6 +57,29 @@ void AddDistances(vtkDataSet* mesh, const SkdComparedInput& to, SkdLoop& loop)
   {
     data->AddArray(SkdMakeBlockIndices("SkdClosestBlockIndex", blocks, to.Blocks));
   }
+}
+
+bool AddSides(const std::vector<SkdBlock>& outputs, SkdSpreadSides& sides, SkdLoop& loop)
+{
+  const SkdPointsOfBlocks points(outputs);
+  std::vector<vtkDoubleArray*> distances;
+  for (const SkdBlock& output : outputs)
+  {
+    distances.push_back(
+      vtkDoubleArray::SafeDownCast(output.Mesh->GetPointData()->GetArray(DistanceName)));
+  }
+  return sides.Find(
+    points.GetNumber(), [&](std::size_t i) { return points.Get(i); },
+    [&](std::size_t i, bool isInside)
+    {
+      points.Visit(i,
+        [&](std::size_t block, vtkIdType point)
+        {
+          double* const distance = distances[block]->GetPointer(point);
+          *distance = isInside ? -*distance : *distance;
+        });
+    },
+    loop);
 }
 
 /// The columns of the table, one row after the other.
@@ -148,13 +173,15 @@ void Rows::Add(const char* direction, const SkdComparison& comparison, const Skd
 }
 }
 
-void SkdAddDistances(
+bool SkdAddDistances(
   const std::vector<SkdBlock>& outputs, const SkdComparedInput& to, SkdLoop& loop)
 {
   for (const SkdBlock& output : outputs)
   {
     AddDistances(output.Mesh, to, loop);
   }
+  SkdSpreadSides* const sides = to.Set.GetSpreadSides();
+  return !sides || AddSides(outputs, *sides, loop);
 }
 
 void SkdFillComparison(

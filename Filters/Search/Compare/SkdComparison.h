@@ -39,8 +39,9 @@ struct SkdComparison
   SkdDistanceSamples Samples;
 };
 
-/// Adds the arrays of distances to the blocks of an output.
-void SkdAddDistances(
+/// Adds the arrays of distances to the blocks of an output. Where processes tell sides together,
+/// all must call it together. Returns whether sides are known of all points.
+bool SkdAddDistances(
   const std::vector<SkdBlock>& outputs, const SkdComparedInput& to, SkdLoop& loop);
 
 /// Fills the table on the first process: the two directions, and both together. All processes must

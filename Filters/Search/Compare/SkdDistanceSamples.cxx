@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Search/Compare/SkdDistanceSamples.h"
 
+#include "Search/Compare/SkdSampleSides.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,8 +25,9 @@ struct KnownDistance
 
 using Corners = std::array<KnownDistance, 3>;
 
-/// The distance of a point, which that of points nearby limits: it changes no faster than the point
-/// moves, and its sign does not change on a way that is shorter.
+/// The distance of a point, negative inside if this process knows, which that of points nearby
+/// limits: it changes no faster than the point moves, and its sign does not change on a way that is
+/// shorter.
 template <class KnownDistances>
 KnownDistance Measure(const SkdComparedSet& to, const skd::Vector3& x, const KnownDistances& nearby)
 {
@@ -43,7 +46,7 @@ KnownDistance Measure(const SkdComparedSet& to, const skd::Vector3& x, const Kno
     nearest = to.FindNearest(x, std::numeric_limits<double>::max());
   }
   const double distance = nearest ? std::sqrt(nearest->Distance2) : 0.0;
-  const bool isInside = to.HasSides() && (sameSide ? sameSide->Distance < 0.0 : to.IsInside(x));
+  const bool isInside = to.KnowsSides() && (sameSide ? sameSide->Distance < 0.0 : to.IsInside(x));
   return { x, isInside ? -distance : distance };
 }
 
@@ -52,9 +55,9 @@ double AreaOf(const Corners& corners)
   return 0.5 * skd::Norm(skd::Cross(corners[1].At - corners[0].At, corners[2].At - corners[0].At));
 }
 
-skd::Vector3 CentroidOf(const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c)
+skd::Vector3 CentroidOf(const Corners& corners)
 {
-  return (1.0 / 3.0) * (a + b + c);
+  return SkdCentroidOf({ corners[0].At, corners[1].At, corners[2].At });
 }
 
 /// The squared length of the longest edge, and which it is.
@@ -110,9 +113,12 @@ SkdSampledTriangle Sample(
   std::array<KnownDistance, 3> middles;
   for (int k = 0; k < 3; ++k)
   {
-    middles[k] = Measure(to, skd::Lerp(corners[k].At, corners[(k + 1) % 3].At, 0.5), nearby);
     sampled.Corners[k] = corners[k].At;
     sampled.AtCorners[k] = corners[k].Distance;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    middles[k] = Measure(to, sampled.GetMiddle(k), nearby);
     sampled.AtMiddles[k] = middles[k].Distance;
   }
   for (int k = 0; k < 3; ++k)
@@ -120,7 +126,7 @@ SkdSampledTriangle Sample(
     const KnownDistance& a = middles[k];
     const KnownDistance& b = middles[(k + 2) % 3];
     const std::array<KnownDistance, 4> around = { corners[k], a, b, centroid };
-    sampled.AtCentroids[k] = Measure(to, CentroidOf(corners[k].At, a.At, b.At), around).Distance;
+    sampled.AtCentroids[k] = Measure(to, sampled.GetCentroid(k), around).Distance;
   }
   sampled.AtCentroids[3] = centroid.Distance;
   sampled.Area = AreaOf(corners);
@@ -130,10 +136,8 @@ SkdSampledTriangle Sample(
 /// The corners of a part of a triangle, the last one in the middle.
 Corners PartOf(const SkdSampledTriangle& whole, int part)
 {
-  const auto middle = [&](int k)
-  {
-    return KnownDistance{ skd::Lerp(whole.Corners[k % 3], whole.Corners[(k + 1) % 3], 0.5),
-      whole.AtMiddles[k % 3] };
+  const auto middle = [&](int k) {
+    return KnownDistance{ whole.GetMiddle(k % 3), whole.AtMiddles[k % 3] };
   };
   return part == 3 ? Corners{ middle(0), middle(1), middle(2) }
                    : Corners{ KnownDistance{ whole.Corners[part], whole.AtCorners[part] },
@@ -230,7 +234,7 @@ bool MeasureAll(const SkdComparedSet& from, const SkdComparedSet& to, SkdLoop lo
 
 KnownDistance CentreOf(const SkdComparedSet& to, const Corners& corners)
 {
-  return Measure(to, CentroidOf(corners[0].At, corners[1].At, corners[2].At), corners);
+  return Measure(to, CentroidOf(corners), corners);
 }
 
 bool SampleAll(const SkdComparedSet& from, const SkdComparedSet& to, const FirstPieces& pieces,
@@ -256,11 +260,12 @@ bool SampleAll(const SkdComparedSet& from, const SkdComparedSet& to, const First
 }
 
 // Of what was divided the first part takes its place; the others follow all.
-bool SkdDistanceSamples::Divide(
-  const std::vector<std::size_t>& chosen, const SkdComparedSet& to, SkdLoop loop)
+bool SkdDistanceSamples::Divide(const std::vector<std::size_t>& chosen, const SkdComparedSet& to,
+  const SkdReduction& all, SkdLoop loop)
 {
   std::vector<SkdSampledTriangle> parts(4 * chosen.size());
-  const bool isWhole = loop.For(static_cast<vtkIdType>(chosen.size()),
+  loop.SetTotal(static_cast<vtkIdType>(chosen.size()) + SkdStepsForSides(to, parts.size()));
+  bool isWhole = loop.For(static_cast<vtkIdType>(chosen.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -269,11 +274,12 @@ bool SkdDistanceSamples::Divide(
         for (int part = 0; part < 4; ++part)
         {
           const Corners corners = PartOf(whole, part);
-          const skd::Vector3 centre = CentroidOf(corners[0].At, corners[1].At, corners[2].At);
-          parts[4 * i + part] = Sample(to, corners, { centre, whole.AtCentroids[part] });
+          parts[4 * i + part] =
+            Sample(to, corners, { CentroidOf(corners), whole.AtCentroids[part] });
         }
       }
     });
+  isWhole = !all.IsAny(!isWhole) && SkdFindSides(to, parts, true, loop);
   for (std::size_t i = 0; isWhole && i < chosen.size(); ++i)
   {
     this->Triangles[chosen[i]] = parts[4 * i];
@@ -307,13 +313,16 @@ bool SkdDistanceSamples::Add(const SkdComparedSet& from, const SkdComparedSet& t
     const FirstPieces pieces(from, sampling.Spacing, all);
     isGoing = !all.IsAny(
       !SampleAll(from, to, pieces, distances, loopOf(from.GetElements().size()), this->Triangles));
+    const vtkIdType steps = SkdStepsForSides(to, this->Triangles.size());
+    SkdLoop loop = loopOf(static_cast<std::size_t>(steps));
+    isGoing = isGoing && SkdFindSides(to, this->Triangles, false, loop);
   }
   std::vector<std::size_t> chosen;
   for (int round = 0; isGoing && from.IsSurface() && round < MostRounds &&
        this->FindTrianglesToDivide(sampling.Tolerance, all, chosen);
        ++round)
   {
-    isGoing = !all.IsAny(!this->Divide(chosen, to, loopOf(chosen.size())));
+    isGoing = this->Divide(chosen, to, all, loopOf(0));
   }
   if (isGoing)
   {

@@ -51,7 +51,8 @@ public:
 private:
   bool FindTrianglesToDivide(const SkdStatisticsTolerance& tolerance, const SkdReduction& all,
     std::vector<std::size_t>& chosen);
-  bool Divide(const std::vector<std::size_t>& chosen, const SkdComparedSet& to, SkdLoop loop);
+  bool Divide(const std::vector<std::size_t>& chosen, const SkdComparedSet& to,
+    const SkdReduction& all, SkdLoop loop);
   void Evaluate(bool wantsQuantiles, const SkdReduction& all)
   {
     this->Statistics = SkdStatisticsOf(this->Triangles, this->Points, wantsQuantiles, all);

@@ -30,6 +30,11 @@ namespace skdtree
 /// The shares of the area that quantiles are given of.
 constexpr std::array<double, 4> SkdQuantileShares = { 0.5, 0.9, 0.95, 0.99 };
 
+inline skd::Vector3 SkdCentroidOf(const std::array<skd::Vector3, 3>& corners)
+{
+  return (1.0 / 3.0) * (corners[0] + corners[1] + corners[2]);
+}
+
 /// Distances, negative inside, at the corners of a triangle, the middles of its edges (k is between
 /// corners k and k + 1), and the centroids of its four parts (k is at corner k, 3 in the middle).
 struct SkdSampledTriangle
@@ -40,6 +45,19 @@ struct SkdSampledTriangle
   std::array<double, 3> AtMiddles;
   std::array<double, 4> AtCentroids;
   double Area;
+
+  skd::Vector3 GetMiddle(int k) const
+  {
+    return skd::Lerp(this->Corners[k], this->Corners[(k + 1) % 3], 0.5);
+  }
+
+  /// Of a part: see AtCentroids.
+  skd::Vector3 GetCentroid(int k) const
+  {
+    return k == 3
+      ? SkdCentroidOf(this->Corners)
+      : SkdCentroidOf({ this->Corners[k], this->GetMiddle(k), this->GetMiddle((k + 2) % 3) });
+  }
 
   /// Calls visit(distance, its share of the area in the fine sum, and in the coarse sum).
   template <class Visit>
