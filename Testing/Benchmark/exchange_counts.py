@@ -85,6 +85,11 @@ def filters(inputs, way):
         "remap": lambda: simple.SkdTreeRemap(Source=inputs[2], Input=inputs[3],
             Method="Conservative First Order", Geometry="Plane", SourceDistribution=way),
         "compare surfaces": lambda: simple.SkdTreeCompareSurfaces(**pair, Tolerance=1e-3),
+        "compare surfaces, signed": lambda: simple.SkdTreeCompareSurfaces(Source=inputs[4],
+            Input=inputs[5], SourceDistribution=way, SignedDistance=1, Tolerance=1e-3),
+        "mesh refinement by a field": lambda: simple.SkdTreeMeshRefinement(Input=inputs[3],
+            Field=inputs[2], FieldArrays=["Field"], FieldThreshold=0.01, MaximumLevel=1,
+            SourceDistribution=way),
         "boolean": lambda: simple.SkdTreeBooleanOperation(
             Source=inputs[4], Input=inputs[5], SourceDistribution=way),
     }
