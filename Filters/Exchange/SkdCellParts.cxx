@@ -223,6 +223,7 @@ std::vector<vtkIdType> SkdCellParts::FindLocalIds(int process) const
 {
   std::vector<vtkIdType> local;
   vtkIdTypeArray* points = this->Parts[static_cast<std::size_t>(process)].Points;
+  local.reserve(points ? static_cast<std::size_t>(points->GetNumberOfTuples()) : 0);
   auto found = this->Points.begin();
   for (vtkIdType i = 0; points && i < points->GetNumberOfTuples(); ++i)
   {
@@ -242,6 +243,12 @@ std::vector<SkdCellParts::Joined> SkdCellParts::SortCells() const
 {
   std::vector<Joined> cells;
   const std::vector<int>& processes = this->Facts.GetFull();
+  std::size_t number = 0;
+  for (const Part& part : this->Parts)
+  {
+    number += part.Cells ? static_cast<std::size_t>(part.Cells->GetNumberOfTuples()) : 0;
+  }
+  cells.reserve(number);
   for (std::size_t piece = 0; piece < processes.size(); ++piece)
   {
     vtkIdTypeArray* ids = this->Parts[static_cast<std::size_t>(processes[piece])].Cells;

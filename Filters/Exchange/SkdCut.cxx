@@ -39,14 +39,16 @@ std::vector<skd::Box3> SkdBoxesOfPoints(vtkDataSet* mesh)
   std::vector<skd::Box3> boxes(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
   for (std::size_t id = 0; id < boxes.size(); ++id)
   {
-    skd::Vector3 x;
-    mesh->GetPoint(static_cast<vtkIdType>(id), x.X);
-    if (SkdHasDistances(x))
-    {
-      boxes[id] = { x, x };
-    }
+    boxes[id] = SkdBoxOfPoint(mesh, static_cast<vtkIdType>(id));
   }
   return boxes;
+}
+
+skd::Box3 SkdBoxOfPoint(vtkDataSet* mesh, vtkIdType point)
+{
+  skd::Vector3 x;
+  mesh->GetPoint(point, x.X);
+  return SkdHasDistances(x) ? skd::Box3(x, x) : skd::Box3();
 }
 
 std::vector<skd::Box3> SkdCoverOf(std::vector<skd::Box3> boxes, int levels)

@@ -26,8 +26,11 @@ namespace skdtree
 /// cannot be searched, and with `skipGhosts` of ghost cells.
 std::vector<skd::Box3> SkdBoxesOfCells(vtkDataSet* mesh, bool skipGhosts);
 
+///@{
 /// The same of its points.
 std::vector<skd::Box3> SkdBoxesOfPoints(vtkDataSet* mesh);
+skd::Box3 SkdBoxOfPoint(vtkDataSet* mesh, vtkIdType point);
+///@}
 
 /// At most 2^levels boxes that cover many.
 std::vector<skd::Box3> SkdCoverOf(std::vector<skd::Box3> boxes, int levels = 6);

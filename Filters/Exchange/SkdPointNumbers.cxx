@@ -349,14 +349,19 @@ private:
     }
   }
 
-  /// The bounds of other pieces that overlap one of the boxes.
-  std::vector<skd::Box3> FindNeighbours(
-    const SkdCut& cut, const std::vector<skd::Box3>& boxes) const
+  /// Around a point, where what is the same point may be.
+  static skd::Box3 Around(const skd::Box3& point, const SkdRounding& rounding)
+  {
+    return point.Inflated(64.0 * rounding.ToleranceAt(point.Min));
+  }
+
+  /// The bounds of other pieces where points of this one may be.
+  std::vector<skd::Box3> FindNeighbours(const SkdCut& cut, const SkdRounding& rounding) const
   {
     skd::Box3 own;
-    for (const skd::Box3& box : boxes)
+    for (vtkIdType point = 0; point < this->Piece->GetNumberOfPoints(); ++point)
     {
-      own.Add(box);
+      own.Add(Around(SkdBoxOfPoint(this->Piece, point), rounding));
     }
     std::vector<skd::Box3> neighbours;
     for (int process = 0; process < cut.GetNumberOfProcesses(); ++process)
@@ -372,19 +377,14 @@ private:
   // Points that lie where only this piece is are no other's.
   void AskByCoordinates(const SkdRounding& rounding)
   {
-    std::vector<skd::Box3> boxes = SkdBoxesOfPoints(this->Piece);
-    const SkdCut cut(this->Transport, boxes);
-    for (skd::Box3& box : boxes)
-    {
-      box = box.Inflated(64.0 * rounding.ToleranceAt(box.Min));
-    }
-    const std::vector<skd::Box3> neighbours = this->FindNeighbours(cut, boxes);
+    const SkdCut cut(this->Transport, SkdBoxesOfPoints(this->Piece));
+    const std::vector<skd::Box3> neighbours = this->FindNeighbours(cut, rounding);
     const PointBins bins(rounding, this->Transport.GetNumber());
     std::vector<int> owners;
     std::vector<std::size_t> to;
     for (vtkIdType point = 0; point < this->Piece->GetNumberOfPoints(); ++point)
     {
-      const skd::Box3& box = boxes[static_cast<std::size_t>(point)];
+      const skd::Box3 box = Around(SkdBoxOfPoint(this->Piece, point), rounding);
       if (std::none_of(neighbours.begin(), neighbours.end(),
             [&box](const skd::Box3& other) { return other.Overlaps(box); }))
       {
@@ -409,6 +409,7 @@ private:
   void TakeOrigins(const Answers& answers, std::vector<SkdPointOrigin>& origins,
     std::vector<unsigned char>& isShared)
   {
+    origins.reserve(this->Orders.size());
     for (std::size_t point = 0; point < this->Orders.size(); ++point)
     {
       const bool isUsed = this->Orders[point] != Never;
@@ -442,6 +443,7 @@ private:
   void NumberOwn(SkdPieceNumbers& numbers) const
   {
     std::vector<vtkIdType> own;
+    own.reserve(this->Orders.size());
     for (std::size_t point = 0; point < this->Orders.size(); ++point)
     {
       if (this->Orders[point] == AtOnce && this->IsOwn(static_cast<vtkIdType>(point)))
