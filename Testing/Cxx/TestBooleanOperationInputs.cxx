@@ -89,6 +89,20 @@ TEST(BooleanOperationInputs, TrianglesWithoutAreaAreLeftOut)
   EXPECT_NEAR(UnionWithBlock(mesh), expected, 1e-13);
 }
 
+/// Too thin for a line along an axis through any point that there is a number for.
+TEST(BooleanOperationInputs, NeedlesLaidOnEachOtherBoundNothing)
+{
+  Mesh mesh;
+  mesh.Add(Point{ 0x1.2aaaaaaaaaaabp+1, 0x1.2aaaaaaaaaaabp+2, -0x1.5555555555555p+0 });
+  mesh.Add(Point{ 0x1.5555555555555p+1, 0x1.5555555555555p+2, -0x1.5555555555555p-1 });
+  mesh.Add(Point{ 0x1.2aaaaaaaaaaabp+1, 0x1.2aaaaaaaaaaabp+2, -0x1.5555555555554p+0 });
+  mesh.Add(VTK_TRIANGLE, { 0, 1, 2 });
+  mesh.Add(VTK_TRIANGLE, { 0, 2, 1 });
+  EXPECT_NEAR(UnionWithBlock(mesh), 8.0, 1e-13);
+  Append(mesh, Ball());
+  EXPECT_NEAR(UnionWithBlock(mesh), UnionWithBlock(Ball()), 1e-13);
+}
+
 TEST(BooleanOperationInputs, SolidsThatContainNothing)
 {
   Mesh flat = Ball();

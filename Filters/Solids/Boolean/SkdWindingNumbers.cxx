@@ -84,6 +84,7 @@ public:
   {
     this->Prepare();
     std::vector<SkdRegionWindings> offsets(this->Components.size());
+    const std::vector<bool> isNeutral = this->FindNeutral();
     std::atomic<bool> areAllFound{ true };
     SkdForEach(
       static_cast<vtkIdType>(offsets.size()),
@@ -92,7 +93,7 @@ public:
         Seed seed = this->FindSeed(static_cast<std::uint32_t>(i));
         if (seed.Region == None)
         {
-          areAllFound = false;
+          areAllFound = areAllFound && isNeutral[static_cast<std::size_t>(i)];
           return;
         }
         for (const SkdWindingOf& known : this->Windings[seed.Region])
@@ -395,6 +396,21 @@ private:
       }
     }
     return innermost ? innermost->Region : outside;
+  }
+
+  /// Of each component whether all its regions have the same numbers, whatever they are: nothing is
+  /// bounded there. No line may be found through faces laid on each other that are needles.
+  std::vector<bool> FindNeutral() const
+  {
+    std::vector<bool> isNeutral(this->Components.size(), true);
+    for (std::uint32_t region = 0; region < this->Windings.size(); ++region)
+    {
+      if (!this->Windings[region].empty())
+      {
+        isNeutral[this->ComponentOf[region]] = false;
+      }
+    }
+    return isNeutral;
   }
 
   /// Adds the last crossings of other components before one. False if the line passes through an
