@@ -53,7 +53,7 @@ public:
     {
       return std::nullopt;
     }
-    this->IsPlaced.assign(this->Positions.size(), false);
+    this->IsAdded.assign(this->Positions.size(), false);
     SkdRoundedFacets split;
     split.Facets.NewPoints = this->Facets.NewPoints;
     split.Facets.NewPoints.resize(this->Facets.NewPoints.size() + this->Positions.size());
@@ -159,7 +159,7 @@ private:
       if (found != this->Cuts.end())
       {
         std::vector<std::uint32_t> line = ListPoints(found->second);
-        this->Place(line, this->Facets.Parents[facet], points);
+        this->AddNew(line, this->Facets.Parents[facet], points);
         if (from > to)
         {
           std::reverse(line.begin(), line.end());
@@ -185,15 +185,15 @@ private:
     return points;
   }
 
-  /// Where points are new, from the triangle that is cut there first.
-  void Place(const std::vector<std::uint32_t>& line, std::uint32_t parent,
+  /// Points that are new, as of the triangle that is cut there first.
+  void AddNew(const std::vector<std::uint32_t>& line, std::uint32_t parent,
     std::vector<SkdSplitPoint>& points)
   {
     for (const std::uint32_t point : line)
     {
-      if (point >= this->First && !this->IsPlaced[point - this->First])
+      if (point >= this->First && !this->IsAdded[point - this->First])
       {
-        this->IsPlaced[point - this->First] = true;
+        this->IsAdded[point - this->First] = true;
         points[point - this->Set.GetPoints().size()] =
           SkdPointIn(this->Set, parent, this->Positions[point - this->First]);
       }
@@ -227,7 +227,7 @@ private:
   const double Tolerance;
   const std::uint32_t First;           // new point
   std::vector<skd::Vector3> Positions; // of new points
-  std::vector<bool> IsPlaced;          // these
+  std::vector<bool> IsAdded;           // these
   std::map<Ends, std::vector<Cut>> Cuts;
   std::map<std::pair<Ends, Ends>, std::uint32_t> Crossings; // of edges, the new point
 };
