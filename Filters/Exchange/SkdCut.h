@@ -14,6 +14,7 @@
 #include "Core/Geometry/Box.h"
 #include "Core/Search/Tree/PackedRTree.h"
 #include "Exchange/SkdTransport.h"
+#include "vtkType.h"
 
 #include <memory>
 #include <vector>
