@@ -61,6 +61,7 @@ private:
   std::vector<Pair> ListParallel() const
   {
     constexpr double least = -1.0 + 1e-6;
+    constexpr std::size_t most = 64; // parts, which are compared with each other
     std::vector<Pair> pairs;
     const std::vector<SkdPieceParts::BorderEdge>& border = this->Parts.GetBorder();
     for (std::size_t begin = 0, end = 0; begin < border.size(); begin = end)
@@ -69,7 +70,7 @@ private:
       {
         ++end;
       }
-      for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t i = begin; i < end && end - begin <= most; ++i)
       {
         const skd::Vector3& normal = this->Normals[border[i].Part];
         for (std::size_t j = begin; j < i; ++j)
@@ -91,7 +92,9 @@ private:
   {
     const auto originOf = [this](std::uint32_t part)
     { return this->Parts.GetOriginOf(this->Parts.GetFirstFacetOf(part)) / 2; };
-    if (!this->Faces.AreInOnePlane(originOf(a), originOf(b)))
+    constexpr std::size_t most = 1000000; // pairs of pieces
+    if (this->Parts.GetPiecesOf(a).size() * this->Parts.GetPiecesOf(b).size() > most ||
+      !this->Faces.AreInOnePlane(originOf(a), originOf(b)))
     {
       return false;
     }

@@ -13,7 +13,7 @@ namespace skdtree
 /// point of their borders in common, but for those that `areApart` is true of: walls of a gap that
 /// is no wider than rounding, which turned solids that touch leave. No part is in two pairs. A
 /// nanosecond or two for each pair of parts at each point of a border, and O(m n) where they are
-/// parallel, for the pieces that they have.
+/// parallel, for the pieces that they have; very many at one point, or of one pair, are left.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> SkdFindOppositeParts(
   const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
   const SkdPieceParts& parts, const SkdFaceSets& faces, double tolerance,
