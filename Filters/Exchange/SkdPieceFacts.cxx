@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdPieceFacts.h"
 
+#include "Exchange/SkdCut.h"
 #include "Exchange/SkdGridLattice.h"
 #include "Exchange/SkdPieceArrays.h"
 #include "Pipeline/SkdBlocks.h"
@@ -30,6 +31,10 @@ SkdPieceFacts FactsOf(vtkDataSet* mesh)
   facts.IsSingle = SkdIsSingle(mesh);
   facts.IsGrid = SkdIsStructured(mesh);
   facts.Magnitudes = SkdMagnitudesOf(mesh);
+  for (vtkIdType point = 0; point < facts.Points; ++point)
+  {
+    facts.Bounds.Add(SkdBoxOfPoint(mesh, point));
+  }
   if (facts.IsGrid)
   {
     facts.Extent = SkdExtentOf(mesh);

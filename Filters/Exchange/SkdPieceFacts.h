@@ -3,6 +3,7 @@
 #ifndef SkdPieceFacts_h
 #define SkdPieceFacts_h
 
+#include "Core/Geometry/Box.h"
 #include "Exchange/SkdNearPoints.h"
 #include "Exchange/SkdTransport.h"
 #include "vtkDataSet.h"
@@ -26,6 +27,7 @@ struct SkdPieceFacts
   bool IsSingle = false;
   bool IsGrid = false;
   SkdPointMagnitudes Magnitudes;
+  skd::Box3 Bounds;                 // of the points that have distances
   std::array<int, 6> Extent{};      // of grids
   std::array<double, 15> Lattice{}; // of images: origin, spacing and directions
 };

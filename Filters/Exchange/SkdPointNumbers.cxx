@@ -4,6 +4,7 @@
 
 #include "Bodies/SkdWeld.h"
 #include "Cells/Read/SkdCellReader.h"
+#include "Cells/Read/SkdMagnitudes.h"
 #include "Exchange/SkdCut.h"
 #include "Exchange/SkdNearPoints.h"
 #include "Exchange/SkdPieceArrays.h"
@@ -356,52 +357,70 @@ private:
   }
 
   /// The bounds of other pieces where points of this one may be.
-  std::vector<skd::Box3> FindNeighbours(const SkdCut& cut, const SkdRounding& rounding) const
+  std::vector<skd::Box3> FindNeighbours(const SkdRounding& rounding) const
   {
-    skd::Box3 own;
-    for (vtkIdType point = 0; point < this->Piece->GetNumberOfPoints(); ++point)
-    {
-      own.Add(Around(SkdBoxOfPoint(this->Piece, point), rounding));
-    }
+    const skd::Box3& bounds = this->Facts.Of(this->Transport.GetRank()).Bounds;
+    const double largest = std::min(skd::LargestCoordinate(bounds), SkdMeasurable.Largest);
+    const double most = rounding.ToleranceAt({ { largest, largest, largest } });
+    const skd::Box3 own = bounds.Inflated(64.0 * most);
     std::vector<skd::Box3> neighbours;
-    for (int process = 0; process < cut.GetNumberOfProcesses(); ++process)
+    for (const int process : this->Facts.GetFull())
     {
-      if (process != this->Transport.GetRank() && cut.GetBounds(process).Overlaps(own))
+      const skd::Box3& other = this->Facts.Of(process).Bounds;
+      if (process != this->Transport.GetRank() && other.Overlaps(own))
       {
-        neighbours.push_back(cut.GetBounds(process));
+        neighbours.push_back(other);
       }
     }
     return neighbours;
   }
 
-  // Points that lie where only this piece is are no other's.
+  /// The points that are in them, and no others are another piece's, too.
+  std::vector<vtkIdType> FindPointsIn(
+    const std::vector<skd::Box3>& neighbours, const SkdRounding& rounding) const
+  {
+    std::vector<vtkIdType> points;
+    const vtkIdType number = neighbours.empty() ? 0 : this->Piece->GetNumberOfPoints();
+    for (vtkIdType point = 0; point < number; ++point)
+    {
+      const skd::Box3 box = Around(SkdBoxOfPoint(this->Piece, point), rounding);
+      if (std::any_of(neighbours.begin(), neighbours.end(),
+            [&box](const skd::Box3& other) { return other.Overlaps(box); }))
+      {
+        points.push_back(point);
+      }
+    }
+    return points;
+  }
+
+  // Of those points that others may have each process tells the others a cover.
   void AskByCoordinates(const SkdRounding& rounding)
   {
-    const SkdCut cut(this->Transport, SkdBoxesOfPoints(this->Piece));
-    const std::vector<skd::Box3> neighbours = this->FindNeighbours(cut, rounding);
+    const std::vector<vtkIdType> points =
+      this->FindPointsIn(this->FindNeighbours(rounding), rounding);
+    std::vector<skd::Box3> boxes;
+    for (const vtkIdType point : points)
+    {
+      boxes.push_back(SkdBoxOfPoint(this->Piece, point));
+    }
+    const SkdCut cut(this->Transport, boxes);
     const PointBins bins(rounding, this->Transport.GetNumber());
     std::vector<int> owners;
     std::vector<std::size_t> to;
-    for (vtkIdType point = 0; point < this->Piece->GetNumberOfPoints(); ++point)
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
-      const skd::Box3 box = Around(SkdBoxOfPoint(this->Piece, point), rounding);
-      if (std::none_of(neighbours.begin(), neighbours.end(),
-            [&box](const skd::Box3& other) { return other.Overlaps(box); }))
-      {
-        continue;
-      }
-      cut.FindOverlapping(box, owners);
+      cut.FindOverlapping(Around(boxes[i], rounding), owners);
       if (std::all_of(owners.begin(), owners.end(),
             [this](int process) { return process == this->Transport.GetRank(); }))
       {
         continue;
       }
-      const PointQuestion question = this->QuestionOf(point);
+      const PointQuestion question = this->QuestionOf(points[i]);
       bins.Find(question.X, to);
       for (const std::size_t process : to)
       {
         this->Queries[process].push_back(question);
-        this->QueriedPoints[process].push_back(process == to.front() ? point : -1);
+        this->QueriedPoints[process].push_back(process == to.front() ? points[i] : -1);
       }
     }
   }

@@ -27,6 +27,26 @@ Ends EndsOf(const skd::Box3& box)
   return { box.Min[0], box.Min[1], box.Min[2], -box.Max[0], -box.Max[1], -box.Max[2] };
 }
 
+/// Cells ascending, each once. Most are already.
+void Sort(std::vector<vtkIdType>& cells)
+{
+  if (!std::is_sorted(cells.begin(), cells.end()))
+  {
+    std::sort(cells.begin(), cells.end());
+  }
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+}
+
+/// Into such a list.
+void Insert(std::vector<vtkIdType>& cells, vtkIdType cell)
+{
+  const auto at = std::lower_bound(cells.begin(), cells.end(), cell);
+  if (at == cells.end() || *at != cell)
+  {
+    cells.insert(at, cell);
+  }
+}
+
 /// Of the boxes of all processes.
 double LargestDiagonalOf(SkdTransport& transport, const std::vector<skd::Box3>& boxes)
 {
@@ -207,6 +227,7 @@ void SkdSpreadBlock::AddExtremes(SkdTransport& transport, Chosen& chosen) const
     }
   }
   const SkdRowsByProcess<Ends> all = SkdGatherRows(transport, std::vector<Ends>{ ends });
+  std::for_each(chosen.begin(), chosen.end(), Sort);
   for (std::size_t i = 0; i < ends.size(); ++i)
   {
     const auto first = std::min_element(all.begin(), all.end(),
@@ -215,14 +236,9 @@ void SkdSpreadBlock::AddExtremes(SkdTransport& transport, Chosen& chosen) const
     {
       for (std::vector<vtkIdType>& ids : chosen)
       {
-        ids.push_back(cells[i]);
+        Insert(ids, cells[i]);
       }
     }
-  }
-  for (std::vector<vtkIdType>& ids : chosen)
-  {
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   }
 }
 

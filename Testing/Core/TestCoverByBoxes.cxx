@@ -84,4 +84,31 @@ TEST(CoverByBoxes, ParesDownToGroups)
   }
 }
 
+// So many that halves are taken about the median; also where most lie in one place, so that no
+// sample halves them.
+TEST(CoverByBoxes, HalvesVeryMany)
+{
+  constexpr std::size_t number = 20000;
+  std::vector<Box3> boxes;
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    const skd::Vector3 point{ { double(i % 200), double(i / 200), 0.0 } };
+    boxes.push_back({ point, point });
+  }
+  double area = 0.0;
+  for (const Box3& box : skd::CoverByBoxes<3>::Of(boxes, 6))
+  {
+    area += box.Length(0) * box.Length(1);
+  }
+  EXPECT_LT(area, number);
+  for (std::size_t i = 0; i < number - 10; ++i)
+  {
+    boxes[i] = boxes.front();
+  }
+  const std::vector<Box3> cover = skd::CoverByBoxes<3>::Of(boxes, 6);
+  EXPECT_EQ(cover.size(), 64u);
+  EXPECT_TRUE(std::all_of(
+    boxes.begin(), boxes.end(), [&cover](const Box3& box) { return IsIn(box, cover); }));
+}
+
 }

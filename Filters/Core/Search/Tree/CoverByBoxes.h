@@ -7,14 +7,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace skd
 {
 
 /// A few boxes in place of many: each of the given is in one of them. They are the top of a tree
-/// whose nodes are halved at the median of the centroids along the longest axis: at most
-/// 2^levels. Empty boxes, and ones with NaN, are left out. O(n levels).
+/// whose nodes are halved along the longest axis, at the median of the centroids, of very many
+/// about there: at most 2^levels. Empty boxes, and ones with NaN, are left out. O(n levels).
 template <int D>
 class CoverByBoxes
 {
@@ -33,29 +34,73 @@ public:
   }
 
 private:
+  static constexpr std::size_t SampleSize = 512;
+
   static void Divide(std::vector<Box<D>>& boxes, std::size_t begin, std::size_t end, int levels,
     std::vector<Box<D>>& cover)
   {
-    Box<D> all;
-    Box<D> centroids;
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      all.Add(boxes[i]);
-      centroids.Add(boxes[i].Centroid());
-    }
     if (levels == 0 || end - begin == 1)
     {
+      Box<D> all;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        all.Add(boxes[i]);
+      }
       cover.push_back(all);
       return;
     }
-    const int axis = centroids.LongestAxis();
-    const std::size_t middle = begin + (end - begin) / 2;
-    const auto at = [&boxes](std::size_t i)
-    { return boxes.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end),
-      [axis](const Box<D>& a, const Box<D>& b) { return a.Centroid()[axis] < b.Centroid()[axis]; });
+    const std::size_t middle = Halve(boxes, begin, end);
     Divide(boxes, begin, middle, levels - 1, cover);
     Divide(boxes, middle, end, levels - 1, cover);
+  }
+
+  static auto At(std::vector<Box<D>>& boxes, std::size_t i)
+  {
+    return boxes.begin() + static_cast<std::ptrdiff_t>(i);
+  }
+
+  static std::size_t Halve(std::vector<Box<D>>& boxes, std::size_t begin, std::size_t end)
+  {
+    Box<D> centroids;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      centroids.Add(boxes[i].Centroid());
+    }
+    const int axis = centroids.LongestAxis();
+    const std::size_t fewest = (end - begin) / 4;
+    std::size_t middle = end;
+    if (end - begin > 16 * SampleSize)
+    {
+      const double median = MedianOfSample(boxes, begin, end, axis);
+      const auto second = std::partition(At(boxes, begin), At(boxes, end),
+        [axis, median](const Box<D>& box) { return box.Centroid()[axis] < median; });
+      middle = static_cast<std::size_t>(second - boxes.begin());
+    }
+    if (middle - begin < fewest || end - middle < fewest || middle == end)
+    {
+      middle = begin + (end - begin) / 2;
+      std::nth_element(At(boxes, begin), At(boxes, middle), At(boxes, end),
+        [axis](const Box<D>& a, const Box<D>& b)
+        { return a.Centroid()[axis] < b.Centroid()[axis]; });
+    }
+    return middle;
+  }
+
+  /// Of boxes taken in no order that a mesh has, because in rows of cells some steps would return
+  /// to the same place of each row.
+  static double MedianOfSample(
+    const std::vector<Box<D>>& boxes, std::size_t begin, std::size_t end, int axis)
+  {
+    std::vector<double> sample;
+    for (std::uint64_t i = 1; i <= SampleSize; ++i)
+    {
+      const std::uint64_t scattered = (i * 0x9e3779b97f4a7c15u) >> 16;
+      sample.push_back(
+        boxes[begin + static_cast<std::size_t>(scattered % (end - begin))].Centroid()[axis]);
+    }
+    const auto median = sample.begin() + SampleSize / 2;
+    std::nth_element(sample.begin(), median, sample.end());
+    return *median;
   }
 };
 
