@@ -16,7 +16,9 @@
 #include "vtkPointSet.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
+#include <utility>
 
 namespace skdtree
 {
@@ -49,6 +51,46 @@ Use UseOf(int type)
     default:
       return Use::Holds;
   }
+}
+
+/// A new order of things, and where each of them is then.
+struct Order
+{
+  template <class Less>
+  Order(std::size_t size, const Less& less)
+    : Old(size)
+    , New(size)
+  {
+    std::iota(this->Old.begin(), this->Old.end(), 0u);
+    std::sort(this->Old.begin(), this->Old.end(), less);
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      this->New[this->Old[i]] = static_cast<std::uint32_t>(i);
+    }
+  }
+
+  void Renumber(std::vector<std::uint32_t>& numbers) const
+  {
+    for (std::uint32_t& number : numbers)
+    {
+      number = number == None ? None : this->New[number];
+    }
+  }
+
+  std::vector<std::uint32_t> Old; // by new number
+  std::vector<std::uint32_t> New; // by old number
+};
+
+/// Of rows, by what is in them.
+Order OrderOf(const skd::IndexRows& rows)
+{
+  return { rows.size(),
+    [&rows](std::uint32_t a, std::uint32_t b)
+    {
+      const skd::IndexRows::Row first = rows[a];
+      const skd::IndexRows::Row second = rows[b];
+      return std::lexicographical_compare(first.begin(), first.end(), second.begin(), second.end());
+    } };
 }
 }
 
@@ -92,6 +134,8 @@ public:
     this->LetPointsFollow();
     std::copy_n(
       this->Weld.GetPoints().begin(), this->To.Mesh.Points.size(), this->To.Mesh.Points.begin());
+    this->SortPoints();
+    this->SortCells();
     this->To.Mesh.FindEdges();
     for (const std::uint32_t node : this->Held)
     {
@@ -115,6 +159,52 @@ private:
       }
     }
     this->To.Mesh.Points.resize(static_cast<std::size_t>(nodes));
+  }
+
+  // Steps of the solver end early, and what is left depends on the order of points and cells, by
+  // some 1e-5 of a cell, which later steps enlarge. With this order Input may have any: its pieces
+  // may come from any processes.
+  void SortPoints()
+  {
+    const std::vector<skd::Vector3> points = this->To.Mesh.Points;
+    const Order order(
+      points.size(), [&points](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      this->To.Mesh.Points[i] = points[order.Old[i]];
+    }
+    for (Block& block : this->To.Blocks)
+    {
+      order.Renumber(block.NodeOfPoint);
+    }
+    order.Renumber(this->Held);
+    this->CopyCells(
+      [](std::size_t cell) { return cell; }, [&](std::uint32_t node) { return order.New[node]; });
+  }
+
+  void SortCells()
+  {
+    const Order order = OrderOf(this->To.Mesh.Cells);
+    for (Block& block : this->To.Blocks)
+    {
+      order.Renumber(block.CellOfCell);
+    }
+    this->CopyCells(
+      [&](std::size_t cell) { return order.Old[cell]; }, [](std::uint32_t node) { return node; });
+  }
+
+  template <class OldCell, class NewNode>
+  void CopyCells(const OldCell& oldCell, const NewNode& newNode)
+  {
+    const skd::IndexRows cells = std::exchange(this->To.Mesh.Cells, skd::IndexRows());
+    std::vector<std::uint32_t> nodes;
+    for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    {
+      const skd::IndexRows::Row row = cells[oldCell(cell)];
+      nodes.resize(row.size());
+      std::transform(row.begin(), row.end(), nodes.begin(), newNode);
+      this->To.Mesh.Cells.Add(nodes.begin(), nodes.end());
+    }
   }
 
   /// The points of a cell.

@@ -18,7 +18,8 @@ namespace skdtree
 {
 /// Triangles, quads, pixels and polygons of all blocks. Points of equal coordinates are one, be
 /// they of different blocks: so seams stay closed. Points of other cells of two dimensions or more
-/// (their number is CellsLeftOut) stay where they are, and so do those of broken polygons.
+/// (their number is CellsLeftOut) stay where they are, and so do those of broken polygons. Points
+/// and cells are in the order of coordinates, whatever order the blocks have.
 class SkdMovedMesh
 {
 public:

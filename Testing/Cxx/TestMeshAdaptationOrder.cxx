@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeMeshAdaptation: in which order Input has its points and cells, as pieces of several
+// processes have them in any, does not matter.
+
+#include "Support/FilterRun.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSkdTreeMeshAdaptation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <vector>
+
+using namespace skdtest;
+
+namespace
+{
+
+/// n x n quads of the unit square.
+PolyDataPointer MakeTiles(int n)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(0, 0, 0);
+  plane->SetPoint1(1, 0, 0);
+  plane->SetPoint2(0, 1, 0);
+  plane->SetResolution(n, n);
+  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  plane->Update();
+  return plane->GetOutput();
+}
+
+/// A fine square with a ring.
+PolyDataPointer MakeRing()
+{
+  PolyDataPointer tiles = MakeTiles(60);
+  const auto ring = [&](vtkIdType i)
+  {
+    Point p;
+    tiles->GetPoint(i, p.data());
+    const double gap = std::hypot(p[0] - 0.4, p[1] - 0.45) - 0.3;
+    return std::exp(-100.0 * gap * gap);
+  };
+  tiles->GetPointData()->Initialize();
+  tiles->GetPointData()->AddArray(MakeArray("Ring", tiles->GetNumberOfPoints(), ring));
+  return tiles;
+}
+
+std::vector<vtkIdType> RandomOrder(vtkIdType size, unsigned int seed)
+{
+  std::vector<vtkIdType> order(static_cast<std::size_t>(size));
+  std::iota(order.begin(), order.end(), vtkIdType(0));
+  std::shuffle(order.begin(), order.end(), std::mt19937(seed));
+  return order;
+}
+
+/// The same mesh with its points and cells in another order: which has each point's old id.
+PolyDataPointer Shuffled(vtkPolyData* mesh, const std::vector<vtkIdType>& which)
+{
+  std::vector<vtkIdType> now(which.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const vtkIdType id : which)
+  {
+    now[static_cast<std::size_t>(id)] = points->InsertNextPoint(mesh->GetPoint(id));
+  }
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIdList> ids;
+  for (const vtkIdType cell : RandomOrder(mesh->GetNumberOfCells(), 7))
+  {
+    mesh->GetCellPoints(cell, ids);
+    std::transform(ids->begin(), ids->end(), ids->begin(),
+      [&now](vtkIdType id) { return now[static_cast<std::size_t>(id)]; });
+    cells->InsertNextCell(ids);
+  }
+  auto shuffled = PolyDataPointer::New();
+  shuffled->SetPoints(points);
+  shuffled->SetPolys(cells);
+  return shuffled;
+}
+
+vtkSmartPointer<vtkPolyData> Adapted(vtkPolyData* input, vtkPolyData* source)
+{
+  vtkNew<vtkSkdTreeMeshAdaptation> filter;
+  filter->SetInputDataObject(0, input);
+  filter->SetSourceData(source);
+  filter->SetMaximumIterations(5);
+  filter->Update();
+  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+TEST(MeshAdaptation, TheOrderOfPointsAndCellsDoesNotMatter)
+{
+  const PolyDataPointer ring = MakeRing();
+  const PolyDataPointer tiles = MakeTiles(12);
+  const std::vector<vtkIdType> which = RandomOrder(tiles->GetNumberOfPoints(), 5);
+  const auto expected = Adapted(tiles, ring);
+  const auto found = Adapted(Shuffled(tiles, which), ring);
+  double largestMove = 0.0;
+  for (std::size_t i = 0; i < which.size(); ++i)
+  {
+    Point first;
+    Point second;
+    Point old;
+    expected->GetPoint(which[i], first.data());
+    found->GetPoint(static_cast<vtkIdType>(i), second.data());
+    tiles->GetPoint(which[i], old.data());
+    EXPECT_EQ(first, second) << i;
+    largestMove = std::max(largestMove, std::hypot(first[0] - old[0], first[1] - old[1]));
+  }
+  EXPECT_GT(largestMove, 0.01);
+}
+
+}
