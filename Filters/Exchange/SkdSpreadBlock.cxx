@@ -148,7 +148,9 @@ vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Bring(SkdTransport& transport, const
   }
   if (range.WithOwn)
   {
-    this->AddOwn(chosen[static_cast<std::size_t>(transport.GetRank())]);
+    std::vector<vtkIdType>& own = chosen[static_cast<std::size_t>(transport.GetRank())];
+    own.clear(); // those that are near are among them
+    this->AddOwn(own);
   }
   vtkSmartPointer<vtkDataSet> mesh = this->Send(transport, std::move(chosen));
   if (range.WithOwn && !this->Facts.GetFull().empty())
