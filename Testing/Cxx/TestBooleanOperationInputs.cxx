@@ -6,11 +6,13 @@
 #include "Support/FilterRun.h"
 #include "Support/SolidRun.h"
 #include "Support/SurfaceMeshes.h"
+#include "Support/VolumeMeshes.h"
 
 #include "vtkImageData.h"
 #include "vtkStripper.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace skdtest;
 
@@ -185,6 +187,33 @@ TEST(BooleanOperationInputs, SizesMayDifferByManyOrders)
     const Mesh both = Combine(Ball(), large, 0);
     EXPECT_EQ(both.Cells.size(), Ball().Cells.size() + Block().Cells.size()) << scale;
     EXPECT_EQ(Combine(Ball(), large, 1).Cells.size(), 0u) << scale;
+  }
+}
+
+/// What two small bodies are together does not depend on a large one elsewhere: its rounding is not
+/// theirs.
+TEST(BooleanOperationInputs, SmallBodiesAreCombinedAsWithoutALargeOne)
+{
+  Mesh turned = Block();
+  turned.Map(Rotated);
+  const Mesh other = Transformed(turned, 0.7, { 0.9, 0.4, 0.3 });
+  for (const double scale : { 1e11, 1e13, 1e15, 1e18, 1e60 })
+  {
+    const Mesh large = Transformed(Block(), scale, { 3 * scale, 3 * scale, 3 * scale });
+    Mesh both = turned;
+    Append(both, large);
+    for (const auto operation : { Filter::UNION, Filter::INTERSECTION })
+    {
+      const Mesh alone = Combine(turned, other, operation);
+      Mesh beside = Combine(both, other, operation);
+      const std::size_t rest = operation == Filter::UNION ? large.Cells.size() : 0;
+      ASSERT_EQ(beside.Cells.size(), alone.Cells.size() + rest) << scale;
+      const auto isOfLarge = [&](const CellSpec& cell)
+      { return std::abs(beside.Points[static_cast<std::size_t>(cell.Points[0])][0]) > 100.0; };
+      beside.Cells.erase(
+        std::remove_if(beside.Cells.begin(), beside.Cells.end(), isOfLarge), beside.Cells.end());
+      EXPECT_DOUBLE_EQ(Measures(beside).Volume, Measures(alone).Volume) << scale;
+    }
   }
 }
 

@@ -27,10 +27,9 @@ using Cut = std::pair<double, std::uint32_t>;
 class BorderCrossings
 {
 public:
-  BorderCrossings(const SkdMovedTriangles& set, const SkdFacets& facets, double tolerance)
+  BorderCrossings(const SkdMovedTriangles& set, const SkdFacets& facets)
     : Set(set)
     , Facets(facets)
-    , Tolerance(tolerance)
     , First(static_cast<std::uint32_t>(set.GetPoints().size() + facets.NewPoints.size()))
   {
   }
@@ -38,6 +37,7 @@ public:
   void Add(const SkdPieceParts& parts, std::uint32_t a, std::uint32_t b)
   {
     const skd::Vector3 normal = this->NormalOf(parts.GetFirstFacetOf(a));
+    this->Tolerance = parts.GetToleranceOf(a, b);
     for (const std::uint32_t i : parts.GetBorderOf(a))
     {
       for (const std::uint32_t j : parts.GetBorderOf(b))
@@ -224,7 +224,7 @@ private:
 
   const SkdMovedTriangles& Set;
   const SkdFacets& Facets;
-  const double Tolerance;
+  double Tolerance = 0.0;              // of the points of two parts
   const std::uint32_t First;           // new point
   std::vector<skd::Vector3> Positions; // of new points
   std::vector<bool> IsAdded;           // these
@@ -235,9 +235,9 @@ private:
 
 std::optional<SkdRoundedFacets> SkdSplitBorders(const SkdMovedTriangles& set,
   const SkdFacets& facets, const SkdFacetSigns& signs, const SkdPieceParts& parts,
-  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs, double tolerance)
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs)
 {
-  BorderCrossings crossings(set, facets, tolerance);
+  BorderCrossings crossings(set, facets);
   for (const auto& [first, second] : pairs)
   {
     crossings.Add(parts, first, second);

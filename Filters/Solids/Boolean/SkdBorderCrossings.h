@@ -9,13 +9,13 @@
 namespace skdtree
 {
 /// Splits facets where the borders of two parts of each pair cross, or a point of one is on an edge
-/// of the other to within the tolerance: all that have such an edge, so that they pass edges as
+/// of the other to within their tolerance: all that have such an edge, so that they pass edges as
 /// often in both directions as before. The parts of a pair lie in one plane. The result has the
 /// facets of the boundary only, by ascending parent, and no table of edges; none if nothing is
 /// split. O(m n) for the edges of each pair.
 std::optional<SkdRoundedFacets> SkdSplitBorders(const SkdMovedTriangles& set,
   const SkdFacets& facets, const SkdFacetSigns& signs, const SkdPieceParts& parts,
-  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs, double tolerance);
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
 }
 
 #endif

@@ -53,7 +53,6 @@ SkdFaceSets::SkdFaceSets(const SkdPlacement& placement, const std::vector<SkdBlo
   const char* name, const std::vector<std::string>& others)
   : Moved(&placement.First)
   , Set(&placement.First.GetSet())
-  , Tolerance(SkdToleranceOfPlanes(placement))
   , Sets(this->Set->GetTriangles().size())
   , Largest(this->Set->GetTriangles().size())
 {
@@ -216,7 +215,9 @@ bool SkdFaceSets::FacesAs(std::uint32_t triangle, std::uint32_t plane) const
 
 bool SkdFaceSets::IsInPlane(std::uint32_t triangle, std::uint32_t plane) const
 {
-  return SkdRoundedPlane(this->Moved->GetCornerPoints(plane), this->Tolerance)
-    .Contains(this->Moved->GetCornerPoints(triangle));
+  const auto corners = this->Moved->GetCornerPoints(triangle);
+  const auto inPlane = this->Moved->GetCornerPoints(plane);
+  const double tolerance = std::max(SkdToleranceOf(corners), SkdToleranceOf(inPlane));
+  return SkdRoundedPlane(inPlane, tolerance).Contains(corners);
 }
 }

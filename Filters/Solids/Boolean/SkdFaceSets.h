@@ -55,7 +55,6 @@ private:
 
   const SkdMovedTriangles* Moved = nullptr;
   const SkdTriangleSet* Set = nullptr;
-  double Tolerance = 0.0;
   skd::DisjointSets<> Sets;
   std::vector<std::uint32_t> Largest; // triangle of each face, by its lowest
   std::vector<std::vector<vtkSmartPointer<vtkAbstractArray>>> Data; // of each block

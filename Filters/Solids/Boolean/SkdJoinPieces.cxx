@@ -38,8 +38,7 @@ public:
     : Set(placement.First)
     , Facets(facets)
     , Signs(signs)
-    , Tolerance(SkdToleranceOfPlanes(placement))
-    , Parts(placement.First, facets, signs, origins, faces, this->Tolerance)
+    , Parts(placement.First, facets, signs, origins, faces)
   {
   }
 
@@ -51,10 +50,9 @@ public:
     const auto areApart = [&](std::uint32_t a, std::uint32_t b) {
       return std::find(apart.begin(), apart.end(), this->FacetsOf({ a, b })) != apart.end();
     };
-    this->Opposite = SkdFindOppositeParts(
-      this->Set, this->Facets, this->Signs, this->Parts, faces, this->Tolerance, areApart);
-    return SkdSplitBorders(
-      this->Set, this->Facets, this->Signs, this->Parts, this->Opposite, this->Tolerance);
+    this->Opposite =
+      SkdFindOppositeParts(this->Set, this->Facets, this->Signs, this->Parts, faces, areApart);
+    return SkdSplitBorders(this->Set, this->Facets, this->Signs, this->Parts, this->Opposite);
   }
 
   /// Makes these parts one. Returns whether there are any.
@@ -169,25 +167,26 @@ private:
     }
     if (line.size() > 2 && line.front() != line.back())
     {
-      this->Straighten(line.data(), line.data() + line.size() - 1);
+      this->Straighten(line.data(), line.data() + line.size() - 1,
+        this->Parts.GetToleranceOf(first.Part, first.Other));
     }
   }
 
   /// Takes out all points between two of a line, or divides it at the one farthest from straight.
-  void Straighten(const std::uint32_t* first, const std::uint32_t* last)
+  void Straighten(const std::uint32_t* first, const std::uint32_t* last, double tolerance)
   {
     const skd::Vector3 from = this->At(*first);
     const skd::Vector3 direction = this->At(*last) - from;
     const double length = Norm(direction);
     const std::uint32_t* farthest = nullptr;
-    double most = this->Tolerance;
+    double most = tolerance;
     double before = 0.0;
     for (const std::uint32_t* point = first + 1; point < last; ++point)
     {
       const skd::Vector3 to = this->At(*point) - from;
       const double along = length > 0.0 ? Dot(to, direction) / length : 0.0;
       const double away = length > 0.0 ? Norm(Cross(to, direction)) / length : Norm(to);
-      const bool isInOrder = along >= before - this->Tolerance && along <= length + this->Tolerance;
+      const bool isInOrder = along >= before - tolerance && along <= length + tolerance;
       const double off = isInOrder ? away : std::max(away, Norm(to));
       farthest = !(off <= most) ? point : farthest;
       most = std::max(most, off);
@@ -195,8 +194,8 @@ private:
     }
     if (farthest)
     {
-      this->Straighten(first, farthest);
-      this->Straighten(farthest, last);
+      this->Straighten(first, farthest, tolerance);
+      this->Straighten(farthest, last, tolerance);
       return;
     }
     for (const std::uint32_t* point = first + 1; point < last; ++point)
@@ -273,7 +272,8 @@ private:
       }
       widest = this->Parts.GetWidthOf(piece) > this->Parts.GetWidthOf(widest) ? piece : widest;
     }
-    const SkdRoundedPlane plane(this->Parts.PositionsOf(widest), this->Tolerance);
+    const SkdRoundedPlane plane(
+      this->Parts.PositionsOf(widest), this->Parts.GetToleranceOf(part, part));
     const auto edges = this->Parts.GetBorderOf(part);
     const bool isFlat = std::all_of(edges.begin(), edges.end(),
       [&](std::uint32_t edge)
@@ -407,7 +407,6 @@ private:
   const SkdMovedTriangles& Set;
   const SkdFacets& Facets;
   const SkdFacetSigns& Signs;
-  const double Tolerance;
   SkdPieceParts Parts;
   std::vector<Pair> Opposite;   // parts
   std::vector<Pair> Merged;     // facets, see FacetsOf

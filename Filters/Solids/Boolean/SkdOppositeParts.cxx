@@ -16,13 +16,12 @@ class OppositeParts
 {
 public:
   OppositeParts(const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
-    const SkdPieceParts& parts, const SkdFaceSets& faces, double tolerance)
+    const SkdPieceParts& parts, const SkdFaceSets& faces)
     : Set(set)
     , Facets(facets)
     , Signs(signs)
     , Parts(parts)
     , Faces(faces)
-    , Tolerance(tolerance)
   {
     for (std::uint32_t part = 0; part < parts.GetNumberOfParts(); ++part)
     {
@@ -101,11 +100,12 @@ private:
     const std::vector<Triangle> ofA = this->ListTriangles(a);
     const std::vector<Triangle> ofB = this->ListTriangles(b);
     const skd::Vector3& normal = this->Normals[a];
+    const double tolerance = this->Parts.GetToleranceOf(a, b);
     return std::any_of(ofA.begin(), ofA.end(),
       [&](const Triangle& first)
       {
         return std::any_of(ofB.begin(), ofB.end(),
-          [&](const Triangle& second) { return this->DoOverlap(first, second, normal); });
+          [&](const Triangle& second) { return DoOverlap(first, second, normal, tolerance); });
       });
   }
 
@@ -120,20 +120,22 @@ private:
   }
 
   /// By more than the tolerance, as seen along the normal.
-  bool DoOverlap(const Triangle& a, const Triangle& b, const skd::Vector3& normal) const
+  static bool DoOverlap(
+    const Triangle& a, const Triangle& b, const skd::Vector3& normal, double tolerance)
   {
-    return !this->IsBesideAnEdge(a, b, normal) && !this->IsBesideAnEdge(b, a, normal);
+    return !IsBesideAnEdge(a, b, normal, tolerance) && !IsBesideAnEdge(b, a, normal, tolerance);
   }
 
   /// Whether b is outside of a along one of its edges.
-  bool IsBesideAnEdge(const Triangle& a, const Triangle& b, const skd::Vector3& normal) const
+  static bool IsBesideAnEdge(
+    const Triangle& a, const Triangle& b, const skd::Vector3& normal, double tolerance)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
       const skd::Vector3 edge = a[(i + 1) % 3] - a[i];
       const skd::Vector3 across = Cross(normal, edge);
       const double inside = Dot(across, a[(i + 2) % 3] - a[i]) < 0.0 ? -1.0 : 1.0;
-      const double most = this->Tolerance * Norm(across);
+      const double most = tolerance * Norm(across);
       const auto isOutside = [&](const skd::Vector3& x)
       { return inside * Dot(across, x - a[i]) <= most; };
       if (std::all_of(b.begin(), b.end(), isOutside))
@@ -149,15 +151,14 @@ private:
   const SkdFacetSigns& Signs;
   const SkdPieceParts& Parts;
   const SkdFaceSets& Faces;
-  const double Tolerance;
   std::vector<skd::Vector3> Normals; // of each part
 };
 }
 
 std::vector<Pair> SkdFindOppositeParts(const SkdMovedTriangles& set, const SkdFacets& facets,
   const SkdFacetSigns& signs, const SkdPieceParts& parts, const SkdFaceSets& faces,
-  double tolerance, const std::function<bool(std::uint32_t, std::uint32_t)>& areApart)
+  const std::function<bool(std::uint32_t, std::uint32_t)>& areApart)
 {
-  return OppositeParts(set, facets, signs, parts, faces, tolerance).Find(areApart);
+  return OppositeParts(set, facets, signs, parts, faces).Find(areApart);
 }
 }

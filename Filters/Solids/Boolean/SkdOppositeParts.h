@@ -16,7 +16,7 @@ namespace skdtree
 /// parallel, for the pieces that they have; very many at one point, or of one pair, are left.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> SkdFindOppositeParts(
   const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
-  const SkdPieceParts& parts, const SkdFaceSets& faces, double tolerance,
+  const SkdPieceParts& parts, const SkdFaceSets& faces,
   const std::function<bool(std::uint32_t, std::uint32_t)>& areApart);
 }
 

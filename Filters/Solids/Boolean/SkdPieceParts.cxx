@@ -13,14 +13,12 @@ using Corners = SkdTriangleSet::Corners;
 
 //------------------------------------------------------------------------------
 SkdPieceParts::SkdPieceParts(const SkdMovedTriangles& set, const SkdFacets& facets,
-  const SkdFacetSigns& signs, const std::vector<std::uint32_t>& origins, SkdFaceSets& faces,
-  double tolerance)
+  const SkdFacetSigns& signs, const std::vector<std::uint32_t>& origins, SkdFaceSets& faces)
   : Set(set)
   , Facets(facets)
   , Signs(signs)
   , Origins(origins)
   , Faces(faces)
-  , Tolerance(tolerance)
 {
   this->ListPieces();
   if (!this->Pieces.empty())
@@ -89,6 +87,8 @@ void SkdPieceParts::ListPieces()
     {
       this->Pieces.push_back(facet);
       this->Widths.push_back(SkdWidthOf(this->Facets.GetPositions(this->Set, facet)));
+      this->Tolerances.push_back(
+        SkdToleranceOf(this->Set.GetCornerPoints(this->Facets.Parents[facet])));
     }
   }
 }
@@ -154,8 +154,9 @@ bool SkdPieceParts::AreInOnePlane(std::uint32_t a, std::uint32_t b) const
 {
   const auto [thinner, wider] = std::minmax(
     a, b, [this](std::uint32_t i, std::uint32_t k) { return this->Widths[i] < this->Widths[k]; });
-  return this->Widths[thinner] > this->Tolerance ||
-    SkdRoundedPlane(this->PositionsOf(wider), this->Tolerance).Contains(this->PositionsOf(thinner));
+  const double tolerance = std::max(this->Tolerances[a], this->Tolerances[b]);
+  return this->Widths[thinner] > tolerance ||
+    SkdRoundedPlane(this->PositionsOf(wider), tolerance).Contains(this->PositionsOf(thinner));
 }
 
 /// Whether the boundary has the edge from its lower to its higher end there. Two pieces are changed
@@ -182,6 +183,12 @@ void SkdPieceParts::FindBorder()
         add(this->PartOf[piece], piece);
       }
     });
+  this->ToleranceOf.assign(count, 0.0);
+  for (std::uint32_t piece = 0; piece < this->PartOf.size(); ++piece)
+  {
+    double& tolerance = this->ToleranceOf[this->PartOf[piece]];
+    tolerance = std::max(tolerance, this->Tolerances[piece]);
+  }
   this->BorderOf = skd::IndexRows(count,
     [&](const auto& add)
     {

@@ -33,9 +33,9 @@ public:
     }
   };
 
-  /// `origins` as for SkdJoinPieces; `tolerance` is of points.
+  /// `origins` as for SkdJoinPieces.
   SkdPieceParts(const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
-    const std::vector<std::uint32_t>& origins, SkdFaceSets& faces, double tolerance);
+    const std::vector<std::uint32_t>& origins, SkdFaceSets& faces);
 
   /// Makes the parts of each pair one: they lie in one plane and face opposite ways.
   void Merge(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
@@ -64,6 +64,12 @@ public:
     return this->Facets.GetPositions(this->Set, this->Pieces[piece]);
   }
   double GetWidthOf(std::uint32_t piece) const { return this->Widths[piece]; } ///< least height
+
+  /// Of points where two parts meet.
+  double GetToleranceOf(std::uint32_t a, std::uint32_t b) const
+  {
+    return std::max(this->ToleranceOf[a], this->ToleranceOf[b]);
+  }
 
   /// Twice the triangle of the face that a facet is of, and 1 more if that is reversed.
   std::uint32_t GetOriginOf(std::uint32_t facet) const
@@ -137,13 +143,14 @@ private:
   const SkdFacetSigns& Signs;
   const std::vector<std::uint32_t>& Origins;
   SkdFaceSets& Faces;
-  const double Tolerance;
   std::vector<std::uint32_t> Pieces;
   std::vector<double> Widths;        // of each piece
+  std::vector<double> Tolerances;    // of each piece, by the triangle that it is of
   std::vector<Use> Uses;             // ascending
   std::vector<std::uint32_t> PartOf; // of each piece
   std::vector<BorderEdge> Border;
-  skd::IndexRows PiecesOf; // of each part
+  std::vector<double> ToleranceOf; // each part
+  skd::IndexRows PiecesOf;         // of each part
   skd::IndexRows BorderOf;
   std::vector<bool> AreMerged;   // parts; empty: none
   std::vector<bool> AreOpposite; // pieces; empty: none

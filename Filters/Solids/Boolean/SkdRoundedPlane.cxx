@@ -41,9 +41,13 @@ bool SkdRoundedPlane::Contains(const std::array<skd::Vector3, 3>& corners) const
     [this](const skd::Vector3& corner) { return this->Contains(corner); });
 }
 
-double SkdToleranceOfPlanes(const SkdPlacement& placement)
+double SkdToleranceOf(const std::array<skd::Vector3, 3>& corners)
 {
-  return 4.0 *
-    SkdSplitPoints::ErrorOf(placement.Scale * placement.First.GetSet().GetLargestCoordinate());
+  double largest = 0.0;
+  for (const skd::Vector3& x : corners)
+  {
+    largest = std::max({ largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
+  }
+  return 4.0 * SkdSplitPoints::ErrorOf(largest);
 }
 }

@@ -31,8 +31,10 @@ private:
   double Tolerance;
 };
 
-/// How far points of a placed set may be from a plane that they are in.
-double SkdToleranceOfPlanes(const SkdPlacement& placement);
+/// How far rounding may take points from where they are to be, on a triangle with these corners: 64
+/// units in the last place of its largest coordinate, so that much smaller triangles elsewhere are
+/// told apart by what they need.
+double SkdToleranceOf(const std::array<skd::Vector3, 3>& corners);
 }
 
 #endif
