@@ -124,6 +124,38 @@ vtkIdType FindPairLists(const SkdCellTree& tree, const SkdCellTree& other, vtkId
   return starts[size];
 }
 
+/// These pairs as tuples, in the order of the trees.
+vtkIdType ListPairs(const SkdCellTree& tree, const SkdCellTree& other, vtkIdTypeArray* pairs)
+{
+  const auto parts = tree.FindBoundsPairs(other);
+  std::size_t size = 0;
+  std::for_each(parts.begin(), parts.end(), [&size](const auto& part) { size += part.size(); });
+  vtkIdType* to = SkdPrepare(pairs, "SkdCellIds", 2, static_cast<vtkIdType>(size));
+  for (std::size_t i = 0; to && i < parts.size(); ++i)
+  {
+    for (const SkdCellTree::CellPair& pair : parts[i])
+    {
+      *to++ = tree.Cells().IdOf(pair.first);
+      *to++ = other.Cells().IdOf(pair.second);
+    }
+  }
+  return static_cast<vtkIdType>(size);
+}
+
+/// Lists as tuples.
+void ListPairs(vtkIdTypeArray* offsets, vtkIdTypeArray* ids, vtkIdTypeArray* pairs)
+{
+  vtkIdType* to = SkdPrepare(pairs, "SkdCellIds", 2, ids->GetNumberOfTuples());
+  for (vtkIdType id = 0; to && id + 1 < offsets->GetNumberOfTuples(); ++id)
+  {
+    for (vtkIdType i = offsets->GetValue(id); i < offsets->GetValue(id + 1); ++i)
+    {
+      *to++ = id;
+      *to++ = ids->GetValue(i);
+    }
+  }
+}
+
 /// The points of found cells and their weights, a row a query, as long as the largest cell needs.
 class WeightRows
 {
@@ -447,6 +479,23 @@ vtkIdType vtkSkdTreeBatchCellLocator::FindPairs(
   }
   return FindLists(other->GetTree(), other->Impl->GetMotion(),
     BoundsOfCells(tree, this->Impl->GetMotion(), size), true, offsets, otherCellIds);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeBatchCellLocator::FindPairs(
+  vtkSkdTreeBatchCellLocator* other, vtkIdTypeArray* pairs)
+{
+  if (other && !this->Impl->GetMotion() && !other->Impl->GetMotion())
+  {
+    return ListPairs(this->GetTree(), other->GetTree(), pairs);
+  }
+  vtkNew<vtkIdTypeArray> offsets, ids;
+  const vtkIdType size = this->FindPairs(other, offsets, ids);
+  if (size >= 0)
+  {
+    ListPairs(offsets, ids, pairs);
+  }
+  return size;
 }
 
 //------------------------------------------------------------------------------

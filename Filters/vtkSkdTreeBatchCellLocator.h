@@ -116,13 +116,19 @@ public:
   vtkIdType FindCellsWithinSpheres(vtkDataArray* spheres, vtkIdTypeArray* offsets,
     vtkIdTypeArray* cellIds, vtkDoubleArray* distances);
 
+  //@{
   /**
    * Batch of pairs: for each cell of this locator's data set, a list of the cells of the other's
    * whose bounds overlap its own, sorted by id; both with the locators' transforms. Within one
    * locator, (i, i) is included.
+   *
+   * Or the same pairs as tuples of two ids, in an order that does not depend on threads: the cost
+   * then follows the number of pairs alone, as no list is begun for each cell.
    */
   vtkIdType FindPairs(
     vtkSkdTreeBatchCellLocator* other, vtkIdTypeArray* offsets, vtkIdTypeArray* otherCellIds);
+  vtkIdType FindPairs(vtkSkdTreeBatchCellLocator* other, vtkIdTypeArray* pairs);
+  //@}
 
 protected:
   vtkSkdTreeBatchCellLocator();

@@ -35,20 +35,16 @@ public:
 
   bool FindBoxes() override
   {
-    this->First->FindPairs(this->Second, this->Offsets, this->Others);
+    this->First->FindPairs(this->Second, this->Found);
     return true;
   }
 
   PairList BoxPairs() const override
   {
     PairList pairs;
-    for (vtkIdType cell = 0; cell + 1 < this->Offsets->GetNumberOfTuples(); ++cell)
+    for (vtkIdType i = 0; i < this->Found->GetNumberOfTuples(); ++i)
     {
-      for (vtkIdType at = this->Offsets->GetValue(cell); at < this->Offsets->GetValue(cell + 1);
-           ++at)
-      {
-        pairs.emplace_back(cell, this->Others->GetValue(at));
-      }
+      pairs.emplace_back(this->Found->GetValue(2 * i), this->Found->GetValue(2 * i + 1));
     }
     return pairs;
   }
@@ -80,8 +76,7 @@ public:
 private:
   vtkNew<vtkSkdTreeCellLocator> First;
   vtkNew<vtkSkdTreeCellLocator> Second;
-  vtkNew<vtkIdTypeArray> Offsets;
-  vtkNew<vtkIdTypeArray> Others;
+  vtkNew<vtkIdTypeArray> Found;
   vtkSmartPointer<vtkSkdTreeSurfaceIntersection> Filter;
 };
 

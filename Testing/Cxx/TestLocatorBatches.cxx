@@ -322,6 +322,30 @@ TEST_P(Batches, NeedNoOutputs)
   EXPECT_EQ(all.Numbers[4], locator->FindCellsWithinBoxes(this->Boxes, nullptr, nullptr));
 }
 
+/// Pairs as tuples are those of the lists.
+void ExpectSamePairs(vtkSkdTreeCellLocator* locator, vtkSkdTreeCellLocator* other,
+  vtkIdTypeArray* offsets, vtkIdTypeArray* ids)
+{
+  vtkNew<vtkIdTypeArray> pairs;
+  ASSERT_EQ(locator->FindPairs(other, pairs), ids->GetNumberOfTuples());
+  ASSERT_EQ(locator->FindPairs(other, nullptr), ids->GetNumberOfTuples());
+  ASSERT_EQ(pairs->GetNumberOfComponents(), 2);
+  std::vector<std::pair<vtkIdType, vtkIdType>> listed, found;
+  for (vtkIdType i = 0; i < pairs->GetNumberOfTuples(); ++i)
+  {
+    found.emplace_back(pairs->GetValue(2 * i), pairs->GetValue(2 * i + 1));
+  }
+  for (vtkIdType cell = 0; cell + 1 < offsets->GetNumberOfTuples(); ++cell)
+  {
+    for (vtkIdType i = offsets->GetValue(cell); i < offsets->GetValue(cell + 1); ++i)
+    {
+      listed.emplace_back(cell, ids->GetValue(i));
+    }
+  }
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, listed);
+}
+
 /// FindPairs against every cell with every cell.
 void ExpectPairs(vtkSkdTreeCellLocator* locator, vtkSkdTreeCellLocator* otherLocator)
 {
@@ -348,6 +372,7 @@ void ExpectPairs(vtkSkdTreeCellLocator* locator, vtkSkdTreeCellLocator* otherLoc
     const vtkIdType* first = ids->GetPointer(offsets->GetValue(i));
     ASSERT_EQ(Ids(first, first + offsets->GetValue(i + 1) - offsets->GetValue(i)), expected) << i;
   }
+  ExpectSamePairs(locator, otherLocator, offsets, ids);
 }
 
 TEST_P(Batches, FindPairsOfCellsWhoseBoundsOverlap)
@@ -522,6 +547,7 @@ TEST_F(SmallBatch, OfALocatorWithoutCellsFindsNothing)
   EXPECT_EQ(empty->FindPairs(this->Locator, this->Ids1, this->Ids2), 0);
   EXPECT_EQ(this->Ids1->GetNumberOfTuples(), 1);
   EXPECT_EQ(this->Locator->FindPairs(empty, this->Ids1, this->Ids2), 0);
+  EXPECT_EQ(this->Locator->FindPairs(empty, this->Ids2), 0);
   EXPECT_EQ(this->Ids1->GetNumberOfTuples(), this->Data->GetNumberOfCells() + 1);
 }
 
@@ -565,6 +591,7 @@ TEST_F(SmallBatch, ThatIsRefusedSaysWhyOnceAndTouchesNothing)
   expectError("passed twice", [&] { return locator->FindPairs(locator, ids, ids); });
   expectError(
     "other locator is missing", [&] { return locator->FindPairs(nullptr, ids, nullptr); });
+  expectError("other locator is missing", [&] { return locator->FindPairs(nullptr, ids); });
 }
 
 }
