@@ -78,6 +78,10 @@ def test_boxes_and_pairs():
     assert locator.FindPairs(other, offsets, ids) > 0
     mine = numpy.repeat(numpy.arange(offsets.GetNumberOfTuples() - 1),
                         numpy.diff(vtk_to_numpy(offsets)))
+    pairs = vtkIdTypeArray()
+    assert locator.FindPairs(other, pairs) == mine.size
+    rows = vtk_to_numpy(pairs)[numpy.lexsort(vtk_to_numpy(pairs).T[::-1])]
+    assert numpy.array_equal(rows, numpy.column_stack([mine, vtk_to_numpy(ids)]))
     back = vtkIdTypeArray()
     assert other.FindPairs(locator, back, None) == mine.size
 
