@@ -445,22 +445,22 @@ TEST_F(Lifecycle, StatisticsDescribeTheTree)
 /// few more where leaves share less.
 constexpr int BytesOfCorners = 32;
 
-TEST_F(Lifecycle, TreesOfManyTrianglesKeepAtMost80BytesForEachBesideTheirCorners)
+TEST_F(Lifecycle, TreesOfManyTrianglesKeepAtMost85BytesForEach)
 {
   const auto locator = MakeLocator(MakePolyData(SphereTriangles(60)));
   const double cells = static_cast<double>(locator->GetNumberOfCellsInTree());
   EXPECT_GT(cells, 40000.0);
-  EXPECT_LE(locator->GetBytesPerCell(), 80.0 + BytesOfCorners);
+  EXPECT_LE(locator->GetBytesPerCell(), 85.0);
   EXPECT_EQ(locator->GetBytesPerCell(), static_cast<double>(locator->GetMemorySize()) / cells);
   locator->FreeSearchStructure();
   EXPECT_EQ(locator->GetBytesPerCell(), 0.0);
 }
 
-TEST_F(Lifecycle, TreesOfManyTetrahedraKeepAtMost88BytesForEach)
+TEST_F(Lifecycle, TreesOfManyTetrahedraKeepAtMost75BytesForEach)
 {
   const auto locator = MakeLocator(MakeGrid(Tetrahedra(20)));
   EXPECT_EQ(locator->GetNumberOfCellsInTree(), 48000);
-  EXPECT_LE(locator->GetBytesPerCell(), 88.0);
+  EXPECT_LE(locator->GetBytesPerCell(), 75.0);
 }
 
 TEST_F(Lifecycle, StatisticsCountTheCellsLeftOut)

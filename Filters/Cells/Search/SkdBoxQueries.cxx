@@ -19,6 +19,14 @@ namespace skdtree
 {
 namespace
 {
+/// Of searches by distance: distances of boxes, which may be those of corners on a grid, say
+/// nothing about what comes first.
+void Sort(vtkIdList* ids)
+{
+  vtkIdType* const first = ids->GetPointer(0);
+  std::sort(first, first + ids->GetNumberOfIds());
+}
+
 bool IsUsable(const skd::Plane<3>& plane)
 {
   return skd::IsFinite(plane.Origin) && skd::IsFinite(plane.Normal);
@@ -88,7 +96,7 @@ void SkdCellTree::FindWithinBounds(
     ids->InsertNextId(this->Store.IdOf(cell));
     return true;
   };
-  const double excess = 2.0 * this->TheEpsilon;
+  const double excess = this->BoxExcess();
   const auto wide = [&](const SkdWideTree& tree)
   {
     SkdWideWalks::OverlappingBox(
@@ -166,6 +174,7 @@ void SkdCellTree::FindNearestCandidates(
       ids->InsertNextId(this->Store.IdOf(cell));
     }
   }
+  Sort(ids);
 }
 
 //------------------------------------------------------------------------------
@@ -180,7 +189,8 @@ void SkdCellTree::FindSafetyBoxesAlong(const skd::Segment<3>& segment, vtkIdList
     }
     return 1.0;
   };
-  skd::AlongSegment<3, decltype(visitor)> query(this->GetFrame(), segment, 0.0, visitor);
+  skd::AlongSegment<3, decltype(visitor), skd::NoLeafFilter, false> query(
+    this->GetFrame(), segment, 0.0, visitor);
   this->Walk(query);
 }
 
@@ -223,6 +233,7 @@ void SkdCellTree::FindSafetyBoxesWithin(const skd::Vector3& x, double radius, vt
   };
   skd::Nearest<3, decltype(visitor)> query(this->GetFrame(), x, radius2, visitor);
   this->Walk(query);
+  Sort(ids);
 }
 
 //------------------------------------------------------------------------------

@@ -20,10 +20,6 @@ constexpr double Ulps = 8.0 * std::numeric_limits<double>::epsilon();
 SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
   : SkdCellTree(SkdCellStore(data, settings.SkipsGhosts, settings.Magnitudes), settings)
 {
-  if (!this->Lazy && !this->Bare && SkdEqualCells::AreLikely(this->Eager))
-  {
-    this->FindEqualCells(settings);
-  }
 }
 
 SkdCellTree::~SkdCellTree() = default;
@@ -63,8 +59,12 @@ SkdCellTree::SkdCellTree(SkdCellStore&& store, const SkdTreeSettings& settings)
     return;
   }
   this->Eager = SkdBuildTree(input);
+  if (SkdEqualCells::AreLikely(this->Eager))
+  {
+    this->FindEqualCells(settings);
+  }
   this->LeafFilters = SkdLeafFilters(this->Store, this->Eager, this->TheRounding);
-  this->View = this->Eager.View();
+  this->View = { this->Eager.View(), this->LeafFilters.GetCorners(), this->SafetyMargin() };
   this->Packets = this->LeafFilters.GetTriangles();
 }
 

@@ -280,10 +280,12 @@ public:
   {
     return this->Store.ExtentOf(cell).Inflated(2.0 * this->TheEpsilon);
   }
+  /// By how much the boxes of the tree are wider, at most, than those of the cells, on each side.
+  double BoxExcess() const { return this->SafetyMargin() + this->View.Widening(); }
+  /// Of safety boxes, and what their rounding adds: less than an eighth of epsilon.
+  double SafetyMargin() const { return (2.0 + 1.0 / 8.0) * this->TheEpsilon; }
 
 private:
-  using EagerTree = skd::Tree<3>;
-
   SkdCellTree(SkdCellStore&& store, const SkdTreeSettings& settings);
 
   skd::ReadInput<3> MakeInput(const SkdTreeSettings& settings);
@@ -350,9 +352,9 @@ private:
   bool Bare = false;
   double TheRounding = 0.0;
   double TheEpsilon = 0.0;
-  EagerTree Eager;
+  skd::Tree<3> Eager;
   SkdLeafFilters LeafFilters;             // of Eager
-  skd::TreeView<3> View;                  // of Eager
+  skd::CompactTree View;                  // of both
   skd::TrianglePackets Packets;           // of LeafFilters
   std::unique_ptr<skd::LazyTree<3>> Lazy; // instead of Eager
   std::unique_ptr<SkdEqualCells> Equal;   // with the next; nullptr where there are few

@@ -4,6 +4,7 @@
 #define SkdCellTreeWalk_h
 
 #include "Cells/Search/SkdCellTree.h"
+#include "Core/Search/LeafFilters/CompactTree.h"
 #include "Core/Search/Tree/LazyTree.h"
 #include "Core/Search/Tree/Walk.h"
 
@@ -18,13 +19,13 @@ void SkdCellTree::Walk(Query& query) const
   }
   else
   {
-    skd::Walk(this->Eager, query);
+    skd::Walk(this->View, query);
   }
 }
 
 inline const skd::Frame<3>& SkdCellTree::GetFrame() const
 {
-  return this->Lazy ? this->Lazy->GetFrame() : this->Eager.GetFrame();
+  return this->Lazy ? this->Lazy->GetFrame() : this->View.GetFrame();
 }
 }
 

@@ -174,9 +174,8 @@ bool SkdCellTree::NarrowCandidates(const SkdCandidateRange& above, const skd::Bo
   SkdOverlapTest test, std::vector<skd::CandidateLanes>& below) const
 {
   const auto isMet = [&](std::uint32_t cell) { return this->IsMet(cell, box, test); };
-  return this->Lazy
-    ? skd::NarrowCandidates(*this->Lazy, above.First, above.Last, box, isMet, below)
-    : skd::NarrowCandidates(this->Eager, above.First, above.Last, box, isMet, below);
+  return this->Lazy ? skd::NarrowCandidates(*this->Lazy, above.First, above.Last, box, isMet, below)
+                    : skd::NarrowCandidates(this->View, above.First, above.Last, box, isMet, below);
 }
 
 //------------------------------------------------------------------------------

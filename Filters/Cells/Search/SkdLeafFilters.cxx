@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,19 @@ skd::QuantizationGrid QuantizationGridOf(const Node& leaf)
     skd::Enclose(box, leaf.Boxes.Get(lane));
   }
   return skd::QuantizationGrid(box);
+}
+
+skd::QuantizedCorners<2> QuantizedBoxesOf(const Node& leaf, const skd::QuantizationGrid& grid)
+{
+  skd::QuantizedCorners<2> boxes;
+  boxes.Grid = grid;
+  for (int lane = 0; lane < Node::Width; ++lane)
+  {
+    const skd::FloatBox<3> box = leaf.Boxes.Get(lane < leaf.Count ? lane : 0);
+    boxes.Set(0, lane, { { box.Min[0], box.Min[1], box.Min[2] } });
+    boxes.Set(1, lane, { { box.Max[0], box.Max[1], box.Max[2] } });
+  }
+  return boxes;
 }
 
 template <class Kernel, class Visit>
@@ -233,6 +247,7 @@ public:
   {
     return { this->PlanePackets.data(), this->Rows.data(), this->CommonRows };
   }
+  skd::LeafCorners ViewCorners() const;
   std::size_t MemorySize() const;
 
 private:
@@ -269,8 +284,10 @@ private:
   skd::RawVector<float> FloatPoints; // of the packets, in turn, if all leaves have one: in
   skd::RawVector<double> Points;     // single precision or, where that is not enough, in double
   skd::RawVector<skd::PlanePacket> PlanePackets;
-  skd::RawVector<skd::PlaneRow> Rows; // those of a packet in turn
-  std::uint32_t CommonRows = 0;       // of each packet, or 0
+  skd::RawVector<skd::QuantizedCorners<2>> Boxes; // of their cells, if all leaves have one
+  bool AreDropped = false;                        // the nodes of leaves
+  skd::RawVector<skd::PlaneRow> Rows;             // those of a packet in turn
+  std::uint32_t CommonRows = 0;                   // of each packet, or 0
 };
 
 SkdLeafFilters::SkdLeafFilters() = default;
@@ -282,6 +299,7 @@ SkdLeafFilters::SkdLeafFilters(const SkdCellStore& store, skd::Tree<3>& tree, do
   : Stored(std::make_unique<const Arrays>(store, tree, rounding))
   , Triangles(this->Stored->ViewTriangles())
   , Planes(this->Stored->ViewPlanes())
+  , Corners(this->Stored->ViewCorners())
 {
 }
 
@@ -321,10 +339,28 @@ SkdLeafFilters::Arrays::Arrays(const SkdCellStore& store, skd::Tree<3>& tree, do
         }
       }
     });
-  if (isInOrder && !this->Triangles.empty())
+  if (isInOrder)
   {
+    tree.DropLeaves();
+    this->AreDropped = true;
     this->FillPoints(store, tree);
   }
+}
+
+//------------------------------------------------------------------------------
+skd::LeafCorners SkdLeafFilters::Arrays::ViewCorners() const
+{
+  if (!this->AreDropped)
+  {
+    return {};
+  }
+  const auto larger = [](float unit, const auto& packet)
+  { return std::max(unit, packet.Grid.Unit); };
+  const float unit = std::accumulate(this->Triangles.begin(), this->Triangles.end(),
+    std::accumulate(this->Boxes.begin(), this->Boxes.end(), 0.0f, larger), larger);
+  const double widening = skd::TrianglePacket::WideningOf(unit);
+  return this->Boxes.empty() ? skd::LeafCorners{ this->Triangles.data(), nullptr, widening }
+                             : skd::LeafCorners{ nullptr, this->Boxes.data(), widening };
 }
 
 //------------------------------------------------------------------------------
@@ -392,6 +428,7 @@ bool SkdLeafFilters::Arrays::Number(skd::Tree<3>& tree, const Counts& counts)
   const bool isInOrder = counts.Packets == counts.Leaves || counts.PlanePackets == counts.Leaves;
   this->Triangles.resize(counts.Packets);
   this->PlanePackets.resize(counts.PlanePackets);
+  this->Boxes.resize(isInOrder ? counts.PlanePackets : 0);
   if (isInOrder && counts.PlanePackets == 0)
   {
     return true; // packets are numbered as they are filled
@@ -442,10 +479,11 @@ void SkdLeafFilters::Arrays::FillTriangles(
   packet = {};
   packet.Grid = QuantizationGridOf(leaf);
   SharedIds shared;
-  for (int lane = 0; lane < leaf.Count; ++lane)
+  for (int lane = 0; lane < Node::Width; ++lane)
   {
-    const std::uint32_t* ids =
-      store.PointIdsOf(tree.Element(leaf.First + static_cast<std::uint32_t>(lane)));
+    // Lanes that are not in use have boxes, too: those of the first triangle.
+    const auto used = static_cast<std::uint32_t>(lane < leaf.Count ? lane : 0);
+    const std::uint32_t* ids = store.PointIdsOf(tree.Element(leaf.First + used));
     for (int corner = 0; corner < 3; ++corner)
     {
       const skd::Vector3 world = store.Point(ids[corner]);
@@ -544,6 +582,10 @@ void SkdLeafFilters::Arrays::FillPlanes(
   {
     left &= ~filler.SetLike(skd::LowestBit(left), cells, left);
   }
+  if (!this->Boxes.empty())
+  {
+    this->Boxes[leaf.Tag >> 1] = QuantizedBoxesOf(leaf, packet.Grid);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -552,6 +594,7 @@ std::size_t SkdLeafFilters::Arrays::MemorySize() const
   return this->Triangles.capacity() * sizeof(skd::TrianglePacket) +
     this->FloatPoints.capacity() * sizeof(float) + this->Points.capacity() * sizeof(double) +
     this->PlanePackets.capacity() * sizeof(skd::PlanePacket) +
+    this->Boxes.capacity() * sizeof(skd::QuantizedCorners<2>) +
     this->Rows.capacity() * sizeof(skd::PlaneRow);
 }
 }

@@ -3,6 +3,7 @@
 // Queries about two trees of cells (Algorithm 5.4).
 #include "Cells/Search/SkdCellTree.h"
 
+#include "Core/Search/LeafFilters/CompactTree.h"
 #include "Core/Search/Queries/OverlapParts.h"
 #include "Core/Search/Tree/LazyTree.h"
 
@@ -66,9 +67,9 @@ std::vector<CellPairs> SkdCellTree::FindPairs(
   const auto withOther = [&](const auto& mine)
   {
     return other.Lazy ? WalkInParts(mine, *other.Lazy, toFirst, isPair, excess)
-                      : WalkInParts(mine, other.Eager, toFirst, isPair, excess);
+                      : WalkInParts(mine, other.View, toFirst, isPair, excess);
   };
-  return this->Lazy ? withOther(*this->Lazy) : withOther(this->Eager);
+  return this->Lazy ? withOther(*this->Lazy) : withOther(this->View);
 }
 
 //------------------------------------------------------------------------------
@@ -76,7 +77,7 @@ std::vector<CellPairs> SkdCellTree::FindBoundsPairs(const SkdCellTree& other) co
 {
   const bool isWide = this->Store.HasCurvedExtents() || other.Store.HasCurvedExtents();
   const double excess =
-    isWide ? std::numeric_limits<double>::infinity() : 2.0 * (this->TheEpsilon + other.TheEpsilon);
+    isWide ? std::numeric_limits<double>::infinity() : this->BoxExcess() + other.BoxExcess();
   return this->FindPairs(
     other, skd::SameWorld(),
     [&](std::uint32_t a, std::uint32_t b)

@@ -6,6 +6,7 @@
 #define SkdVisitCandidates_h
 
 #include "Cells/Search/SkdCellTree.h"
+#include "Core/Search/LeafFilters/CompactTree.h"
 #include "Core/Search/Queries/CandidateLists.h"
 #include "Core/Search/Tree/LazyTree.h"
 
@@ -21,7 +22,7 @@ void SkdCellTree::VisitCandidates(
   }
   else
   {
-    skd::VisitCandidates(this->Eager, above.First, above.Last, box, visit);
+    skd::VisitCandidates(this->View, above.First, above.Last, box, visit);
   }
 }
 }

@@ -16,6 +16,7 @@
 // processor can run. So what is included below, which is the core alone, is in namespace skd_avx2.
 #define skd skd_avx2
 
+#include "Core/Search/LeafFilters/CompactTree.h"
 #include "Core/Search/LeafFilters/PlaneLeafFilter.h"
 #include "Core/Search/LeafFilters/TriangleLeafFilters.h"
 #include "Core/Search/Queries/AlongSegment.h"
@@ -31,9 +32,9 @@ namespace skdtree
 {
 namespace
 {
-const skd::TreeView<3>& ViewOf(const SkdWideTree& tree)
+const skd::CompactTree& ViewOf(const SkdWideTree& tree)
 {
-  return *static_cast<const skd::TreeView<3>*>(tree.View);
+  return *static_cast<const skd::CompactTree*>(tree.View);
 }
 
 const skd::TrianglePackets& PacketsOf(const SkdWideTree& tree)
@@ -64,7 +65,7 @@ void WalkNearest(
   const SkdWideTree& tree, const skd::Vector3& x, double limit2, const SkdWideVisitor& visitor)
 {
   using LeafFilter = skd::DistanceLeafFilter<OnlyNearest>;
-  const skd::TreeView<3>& view = ViewOf(tree);
+  const skd::CompactTree& view = ViewOf(tree);
   skd::Nearest<3, const SkdWideVisitor, LeafFilter> query(
     view.GetFrame(), x, limit2, visitor, LeafFilter(PacketsOf(tree), view.GetFrame().Local(x)));
   skd::Walk(view, query);
@@ -75,7 +76,7 @@ void WalkAlong(const SkdWideTree& tree, const skd::Segment<3>& segment, double m
   const SkdWideVisitor& visitor)
 {
   using LeafFilter = skd::LineLeafFilter;
-  const skd::TreeView<3>& view = ViewOf(tree);
+  const skd::CompactTree& view = ViewOf(tree);
   const skd::Shear shear(segment.B - segment.A);
   skd::AlongSegment<3, const SkdWideVisitor, LeafFilter, InOrder> query(
     view.GetFrame(), segment, margin, visitor, PacketsOf(tree), shear);
@@ -110,7 +111,7 @@ void SkdWideWalks::AboutPoint(
   const SkdWideTree& tree, const void* planes, const double x[3], const SkdWideVisitor& visitor)
 {
   using LeafFilter = skd::PlaneLeafFilter;
-  const skd::TreeView<3>& view = ViewOf(tree);
+  const skd::CompactTree& view = ViewOf(tree);
   const skd::Vector3 point = PointAt(x);
   const LeafFilter leafFilter(
     *static_cast<const skd::PlanePackets*>(planes), view.GetFrame().Local(point));
@@ -124,7 +125,7 @@ void SkdWideWalks::AboutPoint(
 void SkdWideWalks::OverlappingBox(const SkdWideTree& tree, const void* box, double excess,
   const SkdWideVisitor& visitor, const SkdWideVisitor& sure)
 {
-  const skd::TreeView<3>& view = ViewOf(tree);
+  const skd::CompactTree& view = ViewOf(tree);
   const GoesOn visit{ visitor }, take{ sure };
   skd::OverlappingBox<3, const GoesOn, const GoesOn> query(
     view.GetFrame(), *static_cast<const skd::Box3*>(box), excess, visit, take);

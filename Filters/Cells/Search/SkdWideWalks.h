@@ -19,7 +19,7 @@ namespace skdtree
 /// A tree of cells and the packets of its leaves.
 struct SkdWideTree
 {
-  const void* View;    ///< skd::TreeView<3>
+  const void* View;    ///< skd::CompactTree
   const void* Packets; ///< skd::TrianglePackets
 };
 

@@ -6,7 +6,7 @@
 #ifndef skd_LeafFilters_LeafPackets_h
 #define skd_LeafFilters_LeafPackets_h
 
-#include "../Tree/Node.h"
+#include "../Tree/TreeView.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +15,8 @@ namespace skd
 {
 
 struct TrianglePacket;
+template <int Number>
+struct QuantizedCorners;
 struct PlanePacket;
 struct PlaneRow;
 
@@ -78,6 +80,52 @@ public:
 private:
   const TrianglePacket* First = nullptr;
   PacketPoints Points;
+};
+
+/// What tells the boxes of a leaf's cells by the leaf's number: one of the two, or neither.
+struct LeafCorners
+{
+  const TrianglePacket* Triangles = nullptr;
+  const QuantizedCorners<2>* Boxes = nullptr;
+  double Widening = 0.0; ///< of the boxes, at most (QuantizedCorners), in the frame
+
+  bool AreThere() const { return this->Triangles || this->Boxes; }
+};
+
+/// A view of a tree that does not store the nodes of leaves among leaves (Tree::DropLeaves): their
+/// boxes are made of the corners when a query opens them. Without corners it stores all nodes.
+/// CompactTree.h has what opens them.
+class CompactTree : public TreeView<3>
+{
+public:
+  CompactTree() = default; ///< of an empty tree
+  /// `margin`: of triangles' safety boxes, in world units.
+  CompactTree(const TreeView<3>& view, const LeafCorners& corners, double margin)
+    : TreeView<3>(view)
+    , Corners(corners)
+    , Margin(corners.Triangles ? static_cast<float>(margin * view.GetFrame().Scale) : 0.0f)
+    , FirstDropped(corners.AreThere() ? this->GetLeaves().FirstBehind : Node<3>::NoTag)
+  {
+  }
+
+  using TreeView<3>::Open;
+  /// See OpenIn().
+  const Node<3>& Open(std::uint32_t node, Node<3>& room, bool wantsBoxes) const
+  {
+    return node < this->FirstDropped ? this->Open(node)
+                                     : this->Make(node - this->FirstDropped, room, wantsBoxes);
+  }
+  void Fetch(std::uint32_t node) const;
+
+  /// By how much boxes of leaves may be wider than safety boxes, on each side, in world units.
+  double Widening() const { return this->Corners.Widening / this->GetFrame().Scale; }
+
+private:
+  const Node<3>& Make(std::uint32_t number, Node<3>& room, bool wantsBoxes) const;
+
+  LeafCorners Corners;
+  float Margin = 0.0f;
+  std::uint32_t FirstDropped = Node<3>::NoTag;
 };
 
 /// The packets of planes of a tree's leaves.

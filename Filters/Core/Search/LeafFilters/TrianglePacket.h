@@ -3,21 +3,22 @@
 #ifndef skd_LeafFilters_TrianglePacket_h
 #define skd_LeafFilters_TrianglePacket_h
 
-#include "../Tree/Lanes.h"
+#include "../Tree/Node.h"
+#include "../Tree/Tolerances.h"
 #include "QuantizationGrid.h"
 
 namespace skd
 {
 
-/// Up to eight triangles on their grid, and the indices of their exact corners: three cache lines.
-struct alignas(64) TrianglePacket
+/// Corners of up to eight cells of a leaf on its grid: those of triangles, or of boxes the least
+/// and the greatest.
+template <int Number>
+struct QuantizedCorners
 {
   static constexpr int Width = 8;
 
   QuantizationGrid Grid{};
-  std::int16_t Corners[3][3][Width] = {}; ///< by corner, axis, lane
-  std::uint32_t FirstPoint = 0;           ///< of those that the triangles share (TrianglePackets)
-  std::uint8_t PointOf[Width][3] = {};    ///< how much farther that of each corner is
+  std::int16_t Corners[Number][3][Width] = {}; ///< by corner, axis, lane
 
   /// `position` in the tree's frame.
   void Set(int corner, int lane, const Vector3& position)
@@ -28,6 +29,51 @@ struct alignas(64) TrianglePacket
       this->Corners[corner][axis][lane] = QuantizationGrid::Round(rounded[axis]);
     }
   }
+
+  /// In the frame, what is within `margin` of the boxes of the exact corners, and at most
+  /// WideningOf() more on each side.
+  SKD_FLATTEN void GetBoxes(float margin, BoxPacket<3, Width>& boxes) const
+  {
+    using L = Lanes<NativeWidth>;
+    const float aside = margin + AsideOf(this->Grid.Unit);
+    const L back(-this->Grid.Unit);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const L low(this->Grid.Centre[axis] - aside);
+      const L high(this->Grid.Centre[axis] + aside);
+      for (int first = 0; first < Width; first += NativeWidth)
+      {
+        L least = L::LoadShorts(this->Corners[0][axis] + first);
+        L most = L::LoadShorts(this->Corners[1][axis] + first);
+        if constexpr (Number == 3)
+        {
+          const L other = L::LoadShorts(this->Corners[2][axis] + first);
+          const L less = Min(least, most);
+          most = Max(Max(least, most), other);
+          least = Min(less, other);
+        }
+        MinusProduct(low, least, back).Store(boxes.Min[axis] + first);
+        MinusProduct(high, most, back).Store(boxes.Max[axis] + first);
+      }
+    }
+  }
+  static double WideningOf(float unit) { return 2.0 * AsideOf(unit); }
+
+private:
+  /// Above the errors of corners and what rounding does to coordinates and to the margin.
+  static float AsideOf(float unit)
+  {
+    constexpr float cornerError = 0.53f;
+    static_assert(cornerError > QuantizationGrid::CornerError);
+    return cornerError * unit + tolerances::QuantizedBox;
+  }
+};
+
+/// Up to eight triangles on their grid, and the indices of their exact corners: three cache lines.
+struct alignas(64) TrianglePacket : QuantizedCorners<3>
+{
+  std::uint32_t FirstPoint = 0;        ///< of those that the triangles share (TrianglePackets)
+  std::uint8_t PointOf[Width][3] = {}; ///< how much farther that of each corner is
 
   template <int W>
   Lanes<W> Load(int corner, int axis, int first) const

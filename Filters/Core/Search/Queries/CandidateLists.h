@@ -46,7 +46,7 @@ public:
 
   void Take(const CandidateLanes& lanes)
   {
-    const auto& node = this->TheTree.Open(lanes.Node);
+    const auto& node = this->Open(lanes.Node, true);
     const unsigned wanted = this->Outer.Overlapping(node.Boxes) & lanes.Lanes & node.Occupied();
     if (wanted == 0)
     {
@@ -66,7 +66,7 @@ public:
     {
       const CandidateLanes lanes = this->Nodes.back();
       this->Nodes.pop_back();
-      const auto& node = this->TheTree.Open(lanes.Node);
+      const auto& node = this->Open(lanes.Node, false);
       ForEachLane(lanes.Lanes, [&](int lane) { this->Take({ Child(node, lane).Index(), ~0u }); });
       this->TestElements();
     }
@@ -78,6 +78,11 @@ public:
   }
 
 private:
+  const Node<D>& Open(std::uint32_t node, bool wantsBoxes)
+  {
+    return OpenIn(this->TheTree, node, this->Room, wantsBoxes, 0);
+  }
+
   static NarrowingLists& ThreadsLists()
   {
     thread_local NarrowingLists lists;
@@ -92,7 +97,7 @@ private:
       unsigned remaining = lanes.Lanes;
       if (!this->IsMet)
       {
-        const auto& node = this->TheTree.Open(lanes.Node);
+        const auto& node = this->Open(lanes.Node, false);
         ForEachLane(lanes.Lanes,
           [&](int lane)
           {
@@ -116,6 +121,7 @@ private:
   std::vector<CandidateLanes>& List;
   std::vector<CandidateLanes>& Elements;
   std::vector<CandidateLanes>& Nodes;
+  Node<D> Room; ///< of a leaf that the tree does not store
   bool IsMet = false;
 };
 
@@ -151,11 +157,12 @@ void VisitCandidates(const Tree& tree, const CandidateLanes* first, const Candid
   const QueryBox<D> queryBox = OuterBox(tree.GetFrame(), box);
   thread_local std::vector<CandidateLanes> stack;
   stack.assign(first, last);
+  Node<D> room;
   while (!tree.IsEmpty() && !stack.empty())
   {
     const CandidateLanes lanes = stack.back();
     stack.pop_back();
-    const auto& node = tree.Open(lanes.Node);
+    const Node<D>& node = OpenIn(tree, lanes.Node, room, true, 0);
     ForEachLane(queryBox.Overlapping(node.Boxes) & lanes.Lanes & node.Occupied(),
       [&](int lane)
       {

@@ -29,7 +29,7 @@ public:
   {
     this->GrowAll();
     const LeafNumbers leaves{ this->Growing.GetCapacity(),
-      static_cast<std::uint32_t>(this->Growing.NumberOfElements()) };
+      static_cast<std::uint32_t>(this->Growing.NumberOfElements()), this->Growing.FirstBehind() };
     RawVector<std::uint32_t> elements = this->CopyElements();
     return Tree<D>(
       frame, bounds, this->Growing.Rule(), leaves, this->Growing.TakeNodes(), std::move(elements));

@@ -131,12 +131,15 @@ public:
   std::uint32_t GetCapacity() const { return this->Capacity; }
   SplitRule Rule() const { return this->IsByArea ? SplitRule::SurfaceArea : SplitRule::Median; }
 
-  /// When all tasks are done.
+  ///@{
+  /// When all tasks are done. From that index on lie the leaves that have only leaves beside them.
+  std::uint32_t FirstBehind() const { return this->Next; }
   RawVector<Node<D>> TakeNodes()
   {
     this->CloseGap();
     return std::move(this->Nodes);
   }
+  ///@}
 
 private:
   static constexpr std::uint64_t Width = Node<D>::Width;

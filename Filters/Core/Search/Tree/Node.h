@@ -144,6 +144,22 @@ struct KnownLeaves
   std::uint32_t NumberOf(int lane) const { return this->Number + this->Beyond[lane]; }
 };
 
+///@{
+/// A node of a tree. One that the tree does not store it makes in `room`, which has been
+/// initialized once: with its boxes, if these are wanted.
+template <class Tree, class Node>
+auto OpenIn(const Tree& tree, std::uint32_t node, Node& room, bool wantsBoxes, int)
+  -> decltype(tree.Open(node, room, wantsBoxes))
+{
+  return tree.Open(node, room, wantsBoxes);
+}
+template <class Tree, class Node>
+const Node& OpenIn(const Tree& tree, std::uint32_t node, Node&, bool, long)
+{
+  return tree.Open(node);
+}
+///@}
+
 /// A reference to a node, or to an element by its position.
 class Reference
 {

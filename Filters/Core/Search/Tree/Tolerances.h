@@ -13,7 +13,9 @@ namespace skd::tolerances
 constexpr double Denormal2 = 1e-44;
 /// More than rounding outward and a sum add to coordinates of at most 1.
 constexpr double BoxExcess = 1e-6;
-/// The same of boxes that are moved from one frame into another of this size.
+/// Above three roundings of coordinates of at most 2, the last of a sum.
+constexpr float QuantizedBox = 3e-7f;
+/// As BoxExcess, of boxes that are moved from one frame into another of this size.
 constexpr double BoxPairExcess = 2e-6;
 /// Above the rounding of a sum of a few products of numbers of at most 2 in single precision.
 constexpr double PlaneSum = 1e-5;

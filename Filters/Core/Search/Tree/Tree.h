@@ -16,7 +16,7 @@ namespace skd
 {
 
 /// The skD-tree for queries: immutable and thread-safe. BuildTree makes one at once
-/// (Algorithm 3.1). About 32 bytes an element in three dimensions.
+/// (Algorithm 3.1). About 36 bytes an element in three dimensions, 8 without leaves.
 template <int D>
 class Tree
 {
@@ -36,6 +36,7 @@ public:
     , TheBounds(bounds)
     , TheRule(rule)
     , Leaves(leaves)
+    , AllNodes(nodes.size())
     , Nodes(std::move(nodes))
     , Elements(std::move(elements))
   {
@@ -78,6 +79,21 @@ public:
   {
     FetchLines<1>(this->Elements.data() + position);
   }
+  /// Frees the memory of the leaves that have only leaves beside them, for queries that find these
+  /// by their numbers (CompactTree). The notes of inner nodes are KnownLeaves.
+  void DropLeaves()
+  {
+    const std::uint32_t first = this->Leaves.FirstBehind;
+    this->Nodes.erase(this->Nodes.begin() + first, this->Nodes.end());
+    this->Nodes.shrink_to_fit();
+    for (Node<D>& node : this->Nodes)
+    {
+      if (!node.IsLeaf && node.First >= first)
+      {
+        node.First = first + node.template Read<KnownLeaves>().Number;
+      }
+    }
+  }
   ///@}
 
   TreeView<D> View() const
@@ -90,7 +106,8 @@ public:
   const Box<D>& GetBounds() const { return this->TheBounds; }
 
   std::size_t NumberOfElements() const { return this->Elements.size(); }
-  std::size_t NumberOfNodes() const { return this->Nodes.size(); }
+  /// With those that are dropped.
+  std::size_t NumberOfNodes() const { return this->AllNodes; }
   /// Levels of nodes, that of the root and the lowest counted. O(nodes).
   int Depth() const { return this->IsEmpty() ? 0 : this->DepthFrom(0); }
   /// The rule that was used: never Automatic.
@@ -113,6 +130,10 @@ private:
 
   int DepthFrom(std::uint32_t index) const
   {
+    if (index >= this->Nodes.size()) // a leaf that was dropped
+    {
+      return 1;
+    }
     const Node<D>& node = this->Nodes[index];
     int below = 0;
     for (std::uint32_t lane = 0; lane < node.Count && !node.IsLeaf; ++lane)
@@ -125,7 +146,8 @@ private:
   Frame<D> TheFrame{};
   Box<D> TheBounds;
   SplitRule TheRule = SplitRule::Median;
-  LeafNumbers Leaves{ 1, 0 };
+  LeafNumbers Leaves{ 1, 0, 0 };
+  std::size_t AllNodes = 0;
   RawVector<Node<D>> Nodes;
   RawVector<std::uint32_t> Elements;
 };

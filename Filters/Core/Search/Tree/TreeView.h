@@ -20,6 +20,9 @@ struct LeafNumbers
 {
   std::uint32_t Capacity;
   std::uint32_t NumberOfElements;
+  /// From this index on all nodes are leaves that have only leaves beside them. Once they are
+  /// dropped (Tree::DropLeaves), it is that of the leaf of number 0.
+  std::uint32_t FirstBehind;
 
   ElementRange At(std::uint32_t number) const
   {
@@ -53,12 +56,15 @@ public:
   const Frame<D>& GetFrame() const { return this->TheFrame; }
   const Box<D>& GetBounds() const { return this->TheBounds; }
 
+protected:
+  const LeafNumbers& GetLeaves() const { return this->Leaves; }
+
 private:
   Frame<D> TheFrame{};
   Box<D> TheBounds;
   const Node<D>* Nodes = nullptr;
   const std::uint32_t* Elements = nullptr;
-  LeafNumbers Leaves{ 1, 0 };
+  LeafNumbers Leaves{ 1, 0, 0 };
 };
 
 }

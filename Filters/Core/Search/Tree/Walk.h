@@ -115,11 +115,12 @@ public:
   using Node = std::decay_t<decltype(std::declval<const Tree&>().Open(0))>;
   static constexpr int StackSize = MostLevels * (Node::Width - 1);
 
-  Traversal(const Tree& tree, Query& query, QueueEntry* stack)
+  Traversal(const Tree& tree, Query& query, QueueEntry* stack, Node& room)
     : TheTree(tree)
     , TheQuery(query)
     , Stack(stack)
     , Top(stack)
+    , Room(room)
   {
   }
 
@@ -143,8 +144,9 @@ private:
     {
       return this->VisitKnown(IndexOf(next), keys) && this->Take(next);
     }
-    const Node& node = this->TheTree.Open(Sure ? IndexOf(next) : static_cast<std::uint32_t>(next));
     const bool isSure = Sure && IsMarked(next);
+    const std::uint32_t index = Sure ? IndexOf(next) : static_cast<std::uint32_t>(next);
+    const Node& node = OpenIn(this->TheTree, index, this->Room, !isSure, 0);
     if (node.IsLeaf)
     {
       return this->VisitLeaf(node, isSure, keys) && this->Take(next);
@@ -332,13 +334,15 @@ private:
   Query& TheQuery;
   QueueEntry* const Stack;
   QueueEntry* Top; ///< one past the last
+  Node& Room;      ///< of a leaf that the tree does not store
 };
 
 }
 
 /// The traversal of a tree. It serves every query and need not be changed for new ones.
 ///
-/// A Tree gives IsEmpty(), Open(node index) -> const Node<D>&, Element(position) -> element index.
+/// A Tree gives IsEmpty(), Open(node index) -> const Node<D>& (or what OpenIn() does instead),
+/// Element(position) -> element index.
 /// A Query is a small value that gives
 ///   static constexpr bool Ordered        visit the least key first?
 ///   unsigned TestBoxes(const BoxPacket&, float* keys)
@@ -369,7 +373,8 @@ void Walk(const Tree& tree, Query& query)
   }
   using Traversal = detail::Traversal<Tree, Query>;
   detail::QueueEntry stack[Traversal::StackSize];
-  Traversal(tree, query, stack).Run();
+  typename Traversal::Node room;
+  Traversal(tree, query, stack, room).Run();
 }
 
 /// A leaf filter, quantized or not, looks at the elements of a leaf more closely than their boxes

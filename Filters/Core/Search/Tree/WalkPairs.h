@@ -156,12 +156,17 @@ private:
     const float sizeB = Size(pair.B.Box);
     if (!hasB || (hasA && sizeA > 2.0f * sizeB))
     {
-      return this->OpenFirst(this->First.Open(pair.A.What.Index()), pair.B);
+      return this->OpenFirst(this->OpenA(pair.A.What), pair.B);
     }
-    const Node<D>& node = this->Second.Open(pair.B.What.Index());
+    const Node<D>& node = OpenIn(this->Second, pair.B.What.Index(), this->RoomOfB, true, 0);
     return hasA && sizeB <= 2.0f * sizeA
-      ? this->OpenEach(this->First.Open(pair.A.What.Index()), node, pair.A.Box)
+      ? this->OpenEach(this->OpenA(pair.A.What), node, pair.A.Box)
       : this->OpenSecond(pair.A, node);
+  }
+
+  const Node<D>& OpenA(const Reference& what)
+  {
+    return OpenIn(this->First, what.Index(), this->RoomOfA, true, 0);
   }
 
   bool OpenFirst(const Node<D>& node, const Side& b)
@@ -200,7 +205,7 @@ private:
     {
       return true;
     }
-    const Node<D>& node = this->First.Open(what.Index());
+    const Node<D>& node = this->OpenA(what);
     const auto boxes = this->TheQuery.ToFirst(node.Boxes);
     for (int lane = 0; lane < node.Count; ++lane)
     {
@@ -258,6 +263,8 @@ private:
   const bool IsWithinOne = false;
   Query& TheQuery;
   bool IsSplitting = false;
+  Node<D> RoomOfA; ///< of leaves that the trees do not store
+  Node<D> RoomOfB;
   std::vector<Pair> Stack;
 };
 
