@@ -4,11 +4,12 @@
 // processes have them in any, does not matter.
 
 #include "Support/FilterRun.h"
+#include "Support/SurfaceMeshes.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSkdTreeMeshAdaptation.h"
@@ -25,18 +26,10 @@ using namespace skdtest;
 
 namespace
 {
-
 /// n x n quads of the unit square.
 PolyDataPointer MakeTiles(int n)
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(0, 0, 0);
-  plane->SetPoint1(1, 0, 0);
-  plane->SetPoint2(0, 1, 0);
-  plane->SetResolution(n, n);
-  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  plane->Update();
-  return plane->GetOutput();
+  return MakePolyData(Transformed(Sheet(n, VTK_QUAD), 1.0 / n, { 0, 0, 0 }));
 }
 
 /// A fine square with a ring.
@@ -119,5 +112,4 @@ TEST(MeshAdaptation, TheOrderOfPointsAndCellsDoesNotMatter)
   }
   EXPECT_GT(largestMove, 0.01);
 }
-
 }
