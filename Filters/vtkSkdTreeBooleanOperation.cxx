@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeBooleanOperation.h"
 
+#include "Exchange/SkdAskOthers.h"
+#include "Exchange/SkdFilterInputs.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMotion.h"
@@ -10,10 +12,15 @@
 #include "Pipeline/SkdReport.h"
 #include "Solids/Boolean/SkdBooleanOutputs.h"
 #include "Solids/Boolean/SkdCutPlane.h"
+#include "Solids/Boolean/SkdSpreadOutput.h"
+#include "Solids/Boolean/SkdSpreadSolids.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
+#include <iterator>
 
 using namespace skdtree;
 
@@ -33,6 +40,18 @@ public:
 
   vtkSmartPointer<vtkMatrix4x4> Matrix; // nullptr: none
   SkdCutPlane Plane;
+  SkdSpreadSolids Dealt; // of inputs that stay in their pieces
+
+  SkdBooleanOptions OptionsOf(vtkSkdTreeBooleanOperation* self, bool isCutByPlane) const
+  {
+    return { self->KeepPolygons != 0, self->JoinPieces != 0, self->MergePieces != 0,
+      self->CloseCut != 0, isCutByPlane };
+  }
+
+  /// The operation on inputs that stay in their pieces, of which each process outputs a part. All
+  /// must call it together.
+  SkdDealt CombineSpread(
+    vtkSkdTreeBooleanOperation* self, vtkPolyData* output, vtkPolyData* section);
 
   /// The inputs, or the Input and the plane that cuts it. Empty after an error.
   std::optional<SkdBooleanBlocks> MakeBlocks(
@@ -105,6 +124,13 @@ vtkSkdTreeBooleanOperation::vtkSkdTreeBooleanOperation()
 {
   this->WholeInput = true; // all of it bounds the solid
   this->AnyMagnitude = true;
+  this->Inputs->SetAsks([this](int) { return this->CanStayInPieces(); });
+  this->Inputs->SetMutual(
+    [this](SkdSearchRange& range)
+    {
+      range.IsMutual = range.IsOfFaces = range.IsOfOneMesh = true;
+      return this->CanStayInPieces();
+    });
 }
 
 vtkSkdTreeBooleanOperation::~vtkSkdTreeBooleanOperation() = default;
@@ -126,52 +152,127 @@ bool vtkSkdTreeBooleanOperation::UsesPlane() const
     (this->Operation == INTERSECTION || this->Operation == DIFFERENCE || this->Operation == SPLIT);
 }
 
+/// Whether inputs that lie in pieces need not be gathered, as far as properties say.
+bool vtkSkdTreeBooleanOperation::CanStayInPieces()
+{
+  const int operations[] = { UNION, INTERSECTION, DIFFERENCE, REVERSE_DIFFERENCE,
+    SYMMETRIC_DIFFERENCE };
+  return this->GetNumberOfInputConnections(1) > 0 && this->OpenSurfaces == REFUSE &&
+    std::count(std::begin(operations), std::end(operations), this->Operation) > 0 &&
+    SkdMotionOf(this)->IsIdentity();
+}
+
+SkdDealt vtkSkdTreeBooleanOperation::Internals::CombineSpread(
+  vtkSkdTreeBooleanOperation* self, vtkPolyData* output, vtkPolyData* section)
+{
+  SkdStopwatch watch;
+  const SkdSpreadSource& input = *self->Inputs->GetSpread(0);
+  SkdTransport& transport = input.GetTransport();
+  const SkdDealt dealt =
+    this->Dealt.Update(input, *self->Inputs->GetSpread(1), self->ChordalDeviation, self);
+  if (dealt != SkdDealt::Done)
+  {
+    return dealt;
+  }
+  this->SetSpread(&this->Dealt, &transport);
+  const SkdBooleanBlocks& blocks = this->Dealt.GetBlocks();
+  const bool isDone =
+    this->Update(blocks, self->ChordalDeviation, true, this->MakeRule(self), self);
+  if (SkdMostOf(transport, isDone ? 0 : 1) > 0)
+  {
+    return SkdDealt::Aborted;
+  }
+  this->SetRoundsNumbers(false);
+  this->FindSolids(blocks, true);
+  if (!this->FindWindings())
+  {
+    return SkdDealt::Unfit;
+  }
+  const SkdBooleanRule rule = this->MakeRule(self);
+  std::set<std::string> refused;
+  SkdBooleanTotals totals = SkdFillBooleanOutputs(
+    *this, blocks, rule, this->OptionsOf(self, false), output, section, refused);
+  if (!SkdIsClosedOverAll(transport, output))
+  {
+    return SkdDealt::Unfit;
+  }
+  totals.Bad = {}; // a part is open, all together are closed
+  SkdNumberFacesOverAll(transport, this->Dealt.GetNumbersOfCells(), output);
+  SkdReport report(output);
+  SkdReportBoolean(self, *this, rule, totals, true, report);
+  SkdSumReports(transport, output);
+  report.AddCount("CellsInContact", this->Dealt.GetNumberInContact());
+  report.AddMeasure("Seconds", watch.Lap());
+  if (transport.GetRank() == 0)
+  {
+    SkdWarnAboutRefused(self, refused);
+  }
+  return SkdDealt::Done;
+}
+
 int vtkSkdTreeBooleanOperation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* section = vtkPolyData::GetData(outputVector, 1);
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
+  if (this->Inputs->GetSpread(0) && this->Inputs->GetSpread(1))
+  {
+    if (this->Impl->CombineSpread(this, output, section) != SkdDealt::Unfit)
+    {
+      return 1;
+    }
+    output->Initialize();
+    section->Initialize();
+    input = this->Inputs->GatherSpread(0);
+    source = this->Inputs->GatherSpread(1);
+  }
   if (SkdIsLaterPiece(outputVector->GetInformationObject(0)))
   {
     return 1; // the first piece has all
   }
+  this->CombineWhole(input, source, output, section);
+  return 1;
+}
+
+void vtkSkdTreeBooleanOperation::CombineWhole(
+  vtkDataObject* input, vtkDataObject* source, vtkPolyData* output, vtkPolyData* section)
+{
   SkdStopwatch watch;
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
   const bool isCutByPlane = !source && this->UsesPlane();
   if (this->CutByPlane && !source && !isCutByPlane)
   {
     vtkWarningMacro("CutByPlane is for Intersection, Difference and Split; it is ignored.");
   }
   Internals& solids = *this->Impl;
-  const auto made = solids.MakeBlocks(this, vtkDataObject::GetData(inputVector[0]), source);
+  solids.SetSpread(nullptr, nullptr);
+  const auto made = solids.MakeBlocks(this, input, source);
   if (!made)
   {
-    return 1;
+    return;
   }
   const SkdBooleanBlocks& blocks = *made;
   const bool areInputs = (source || isCutByPlane) && this->Operation != AT_LEAST;
   if (!solids.Update(blocks, this->ChordalDeviation, areInputs, solids.MakeRule(this), this))
   {
-    return 1;
+    return;
   }
   SkdWarnAboutInputs(this, solids, blocks, this->ChordalDeviation);
   solids.SetRoundsNumbers(this->OpenSurfaces == WINDING_NUMBER);
   solids.FindSolids(blocks, areInputs);
   if (!solids.FindInside(this))
   {
-    return 1;
+    return;
   }
   const SkdBooleanRule rule = solids.MakeRule(this);
-  const bool closesCut = this->CloseCut != 0;
   std::set<std::string> refused;
-  const SkdBooleanTotals totals = SkdFillBooleanOutputs(solids, blocks, rule,
-    { this->KeepPolygons != 0, this->JoinPieces != 0, this->MergePieces != 0, closesCut,
-      isCutByPlane },
-    output, vtkPolyData::GetData(outputVector, 1), refused);
+  const SkdBooleanTotals totals = SkdFillBooleanOutputs(
+    solids, blocks, rule, solids.OptionsOf(this, isCutByPlane), output, section, refused);
   SkdWarnAboutRefused(this, refused);
   SkdReport report(output);
-  SkdReportBoolean(this, solids, rule, totals, closesCut, report);
+  SkdReportBoolean(this, solids, rule, totals, this->CloseCut != 0, report);
   report.AddMeasure("Seconds", watch.Lap());
-  return 1;
 }
 
 void vtkSkdTreeBooleanOperation::PrintSelf(ostream& os, vtkIndent indent)

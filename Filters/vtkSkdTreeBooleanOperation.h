@@ -66,7 +66,7 @@
  * a split, one value a part from 0 on), SkdReportTreesBuilt, SkdReportSolids,
  * SkdReportTrianglesSplit, SkdReportTrianglesFolded (pieces that rounding has made flat),
  * SkdReportBadEdges (of the output as it is stored: 0 of a closed oriented surface),
- * SkdReportSeconds.
+ * SkdReportCellsInContact (see "Several processes"), SkdReportSeconds.
  *
  * Cost: O(n log n) for n triangles, plus the exact tests of those that intersect. What was found is
  * kept while the inputs are unchanged, about 150 bytes a triangle: then another operation costs
@@ -77,7 +77,17 @@
  * rounds its new points. That goes for unions and differences, and for the pieces of the inputs in
  * all operations on two but the imprint, if the pieces of an input are closed, face outward and do
  * not intersect themselves. Triangles that are there many times cost what others do. The result
- * does not depend on the number of threads. Of several processes the first computes all.
+ * does not depend on the number of threads.
+ *
+ * Several processes: with SourceDistribution SOURCE_EXCHANGED two closed surfaces of plane faces
+ * that are not moved stay in their pieces, for unions, intersections and differences. Cells that
+ * touch or cross others that are not their neighbours come together on the process that has most of
+ * those which hang together by boxes; the others stay where they are, and which side of them is
+ * inside is counted along lines through the cells of all processes, by exact signs. Each process
+ * outputs a part; together these have the same faces, to the last bit, ids and numbers of faces as
+ * the output of one process that has all. SkdReportCellsInContact counts the cells that came
+ * together. Whether the output is closed is told of all parts together; if it is not, and in all
+ * other cases, the pieces are gathered, and the first process computes all.
  *
  * Bad input: a surface that is open or has faces of opposite orientation side by side is an error
  * that tells where, and there is no output (see OpenSurfaces for scans). Triangles without area are
@@ -282,6 +292,10 @@ protected:
   ~vtkSkdTreeBooleanOperation() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  bool CanStayInPieces();
+  void CombineWhole(
+    vtkDataObject* input, vtkDataObject* source, vtkPolyData* output, vtkPolyData* section);
 
   int Operation = UNION;
   int MinimumNumberOfSolids = 2;

@@ -183,7 +183,9 @@ bool SkdFilterInputs::FindRange(int port, SkdSearchRange& range) const
 bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, vtkDataObject* own, int port,
   SkdTransport* transport, SkdSearchRange& range, vtkMultiProcessController* controller) const
 {
-  const bool canExchange = (this->Asks && this->Asks(port)) || this->FindRange(port, range);
+  const bool asks = this->Asks && this->Asks(port);
+  const bool hasRange = (!asks || this->FindMutual) && this->FindRange(port, range);
+  const bool canExchange = asks || hasRange;
   if (this->Wanted == Distribution::Replicated || !canExchange || !SkdCanBring(piece) ||
     (range.IsMutual && !(own && SkdCanBring(own))))
   {

@@ -182,6 +182,28 @@ void SkdSpreadBlock::AddOwn(std::vector<vtkIdType>& cells) const
 vtkSmartPointer<vtkDataSet> SkdSpreadBlock::BringThose(
   SkdTransport& transport, const SkdRowsByProcess<vtkIdType>& wanted) const
 {
+  return this->Send(transport, this->FindThose(transport, wanted));
+}
+
+vtkSmartPointer<vtkDataSet> SkdSpreadBlock::BringOnly(
+  SkdTransport& transport, const SkdRowsByProcess<vtkIdType>& wanted) const
+{
+  return this->SendOnly(transport, this->FindThose(transport, wanted));
+}
+
+std::vector<vtkIdType> SkdSpreadBlock::ListOwnIds() const
+{
+  std::vector<vtkIdType> ids;
+  std::copy_if(this->Numbers.CellIds.begin(), this->Numbers.CellIds.end(), std::back_inserter(ids),
+    [](vtkIdType id) { return id >= 0; });
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+/// What the others want of this process's piece.
+SkdSpreadBlock::Chosen SkdSpreadBlock::FindThose(
+  SkdTransport& transport, const SkdRowsByProcess<vtkIdType>& wanted) const
+{
   std::vector<std::pair<vtkIdType, vtkIdType>> order; // joined ids and cells
   for (std::size_t cell = 0; cell < this->Boxes.size(); ++cell)
   {
@@ -206,7 +228,7 @@ vtkSmartPointer<vtkDataSet> SkdSpreadBlock::BringThose(
     }
     ids = std::move(cells);
   }
-  return this->Send(transport, std::move(chosen));
+  return chosen;
 }
 
 // Of each end the first process that has it sends its first such cell.
@@ -247,6 +269,12 @@ void SkdSpreadBlock::AddExtremes(SkdTransport& transport, Chosen& chosen) const
 vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Send(SkdTransport& transport, Chosen chosen) const
 {
   this->AddExtremes(transport, chosen);
+  return this->SendOnly(transport, chosen);
+}
+
+vtkSmartPointer<vtkDataSet> SkdSpreadBlock::SendOnly(
+  SkdTransport& transport, const Chosen& chosen) const
+{
   SkdCellParts parts(transport, this->Facts, this->Examples);
   SkdExchangeMeshes(
     transport,

@@ -41,6 +41,13 @@ public:
   vtkSmartPointer<vtkDataSet> BringThose(
     SkdTransport& transport, const SkdRowsByProcess<vtkIdType>& wanted) const;
 
+  /// The same, and no others: without those that reach the bounds of the whole.
+  vtkSmartPointer<vtkDataSet> BringOnly(
+    SkdTransport& transport, const SkdRowsByProcess<vtkIdType>& wanted) const;
+
+  /// The joined ids of the cells that this process counts, ascending.
+  std::vector<vtkIdType> ListOwnIds() const;
+
   /// Whether each cell of this process's piece counts in it.
   std::vector<unsigned char> FindCounted() const;
 
@@ -69,7 +76,9 @@ private:
     double ofDiagonal, Chosen& chosen) const;
   void AddOwn(std::vector<vtkIdType>& cells) const;
   void AddExtremes(SkdTransport& transport, Chosen& chosen) const;
+  Chosen FindThose(SkdTransport& transport, const SkdRowsByProcess<vtkIdType>& wanted) const;
   vtkSmartPointer<vtkDataSet> Send(SkdTransport& transport, Chosen chosen) const;
+  vtkSmartPointer<vtkDataSet> SendOnly(SkdTransport& transport, const Chosen& chosen) const;
 
   vtkSmartPointer<vtkDataSet> Piece;
   SkdPieces Examples; // by process

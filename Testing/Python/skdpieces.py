@@ -10,12 +10,14 @@ import sys
 import numpy
 import skdtesting
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkIdList
-from vtkmodules.vtkCommonDataModel import (VTK_LINE, vtkDataSetAttributes, vtkPolyData,
-    vtkUnstructuredGrid)
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkIdList, vtkPoints
+from vtkmodules.vtkCommonDataModel import (VTK_LINE, VTK_QUADRATIC_TRIANGLE, vtkDataSetAttributes,
+    vtkImageData, vtkPolyData, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
-from vtkmodules.vtkFiltersCore import vtkElevationFilter, vtkPointDataToCellData
+from vtkmodules.vtkFiltersCore import (vtkAppendPolyData, vtkCleanPolyData, vtkElevationFilter,
+    vtkPointDataToCellData, vtkPolyDataNormals)
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
@@ -86,6 +88,55 @@ def tiles(count=9, corner=(0.0, 0.0, 0.0), first=(1.0, 0.0, 0.0), second=(0.0, 1
         of_cells.GetOutput().GetPointData().RemoveArray(name)
         of_cells.GetOutput().GetCellData().RemoveArray(name)
     return of_cells.GetOutput()
+
+
+def block(corner=(0.0, 0.0, 0.0), size=(1.0, 1.0, 1.0), count=4):
+    """A closed box whose sides are squares of quadrilaterals."""
+    cells = vtkImageData()
+    cells.SetDimensions(count + 1, count + 1, count + 1)
+    cells.SetOrigin(*corner)
+    cells.SetSpacing(*(length / count for length in size))
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputData(cells)
+    welded = vtkCleanPolyData()
+    welded.SetInputConnection(surface.GetOutputPort())
+    oriented = vtkPolyDataNormals()
+    oriented.SetInputConnection(welded.GetOutputPort())
+    oriented.SplittingOff()
+    oriented.AutoOrientNormalsOn()
+    oriented.ComputePointNormalsOff()
+    oriented.Update()
+    return oriented.GetOutput()
+
+
+def crowd(count=12, step=2.1, shift=0.0):
+    """Spheres in a row."""
+    all_of_them = vtkAppendPolyData()
+    for i in range(count):
+        all_of_them.AddInputData(sphere(radius=0.5, center=(i * step / 2, shift, 0.3 * shift),
+            theta=8, phi=8, has_normals=False))
+    all_of_them.Update()
+    return all_of_them.GetOutput()
+
+
+def curved():
+    """Quadratic triangles of an octahedron: a closed surface."""
+    corners = [(3, 0, 0), (0, 3, 0), (-3, 0, 0), (0, -3, 0), (0, 0, 3), (0, 0, -3)]
+    points, ids, grid = vtkPoints(), {}, vtkUnstructuredGrid()
+
+    def add(x):
+        if x not in ids:
+            ids[x] = points.InsertNextPoint(*x)
+        return ids[x]
+
+    for i in range(4):
+        for top in (4, 5):
+            face = [corners[i], corners[(i + 1) % 4], corners[top]][:: 1 if top == 4 else -1]
+            middles = [tuple((a + b) / 2 for a, b in zip(face[k], face[(k + 1) % 3]))
+                for k in range(3)]
+            grid.InsertNextCell(VTK_QUADRATIC_TRIANGLE, 6, [add(x) for x in face + middles])
+    grid.SetPoints(points)
+    return grid
 
 
 def wire(count=30, end=(4.0, 3.0, 2.0)):

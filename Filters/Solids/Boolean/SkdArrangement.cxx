@@ -156,7 +156,7 @@ std::vector<std::uint32_t> FindPatches(const SkdFacets& facets, std::vector<Edge
   return patches.Number();
 }
 
-void FindRegions(const EdgeFan& fan, SkdArrangement& arrangement)
+void FindRegions(const EdgeFan& fan, bool goesOn, SkdArrangement& arrangement)
 {
   std::vector<EdgeUses> edges;
   const std::vector<std::uint32_t> patchOf = FindPatches(arrangement.Facets, edges);
@@ -167,6 +167,10 @@ void FindRegions(const EdgeFan& fan, SkdArrangement& arrangement)
   for (const EdgeUses& edge : edges)
   {
     uses.assign(edge.First, edge.Last);
+    if (goesOn && uses.size() == 1)
+    {
+      continue;
+    }
     if (uses.size() > 2) // the order of two does not matter
     {
       fan.Sort(edge.Low, uses);
@@ -222,9 +226,11 @@ void UpdateDoubtful(const SkdPlacement& placement, vtkAlgorithm* filter, SkdPair
 }
 
 std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlacement& placement,
-  SkdLoop& loop, vtkAlgorithm* filter, SkdPairCache* cache, std::size_t most)
+  SkdLoop& loop, vtkAlgorithm* filter, SkdPairCache* cache, std::size_t most,
+  const std::vector<std::uint32_t>* among)
 {
   SkdPairSearch search;
+  search.Among = among;
   if (!cache)
   {
     search.Most = most;
@@ -304,8 +310,8 @@ std::vector<SkdTrianglePair> SkdFindPairsWithin(SkdTriangleSet& set, const SkdPl
   return pairs;
 }
 
-std::optional<SkdArrangement> SkdArrange(
-  const SkdPlacement& placement, const SkdSelfPairs& found, SkdLoop& loop, std::size_t mostEvents)
+std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement, const SkdSelfPairs& found,
+  SkdLoop& loop, std::size_t mostEvents, bool goesOn)
 {
   const std::vector<SkdTrianglePair>& pairs = found.Pairs;
   const SkdContactPoints contacts(placement, pairs);
@@ -329,7 +335,8 @@ std::optional<SkdArrangement> SkdArrange(
   const vtkIdType numberSplit = split.NumberSplit;
   SkdArrangement arrangement{ SkdFacets(segments, std::move(split), overlaps), {}, 0, numberSplit,
     false };
-  FindRegions(EdgeFan(placement.First, segments.GetPoints(), arrangement.Facets, ids), arrangement);
+  FindRegions(
+    EdgeFan(placement.First, segments.GetPoints(), arrangement.Facets, ids), goesOn, arrangement);
   return arrangement;
 }
 }

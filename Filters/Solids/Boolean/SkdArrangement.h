@@ -60,10 +60,12 @@ struct SkdPairCache
 
 /// Completes the set if its triangles overlap so much that trees are faster. Those of `cache` are
 /// not searched again, or are kept now; without it none are, and only then the search may stop when
-/// there are more than `most`. Empty after an abort.
+/// there are more than `most`. Of some triangles `among` all if there is such a list. Empty after
+/// an abort.
 std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlacement& placement,
   SkdLoop& loop, vtkAlgorithm* filter, SkdPairCache* cache = nullptr,
-  std::size_t most = std::numeric_limits<std::size_t>::max());
+  std::size_t most = std::numeric_limits<std::size_t>::max(),
+  const std::vector<std::uint32_t>* among = nullptr);
 
 /// Those of two triangles of one piece, and maybe others.
 std::vector<SkdTrianglePair> SkdFindPairsWithin(SkdTriangleSet& set, const SkdPlacement& placement,
@@ -72,9 +74,11 @@ std::vector<SkdTrianglePair> SkdFindPairsWithin(SkdTriangleSet& set, const SkdPl
 /// Splits a set along all its intersections with itself. O(n) for n facets, plus exact tests at
 /// edges in which more than two of them meet; a few microseconds for each that is a piece of a
 /// triangle. Empty after an abort. Is not made if segments along which triangles are split meet
-/// each other in more than `mostEvents` points.
+/// each other in more than `mostEvents` points. With `goesOn` the set is a part of closed surfaces:
+/// the sides of a triangle do not meet around an edge that it alone has.
 std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement, const SkdSelfPairs& pairs,
-  SkdLoop& loop, std::size_t mostEvents = std::numeric_limits<std::size_t>::max());
+  SkdLoop& loop, std::size_t mostEvents = std::numeric_limits<std::size_t>::max(),
+  bool goesOn = false);
 }
 
 #endif

@@ -4,11 +4,12 @@
 
 namespace skdtree
 {
-SkdBoundaryMeasures SkdMeasureBoundary(
-  const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs)
+SkdBoundaryMeasures SkdMeasureBoundary(const SkdMovedTriangles& set, const SkdFacets& facets,
+  const SkdFacetSigns& signs, const std::optional<skd::Vector3>& common)
 {
   SkdBoundaryMeasures measures;
-  const skd::Vector3 origin = set.GetPoints().empty() ? skd::Vector3{} : set.GetPoints()[0];
+  const skd::Vector3 first = set.GetPoints().empty() ? skd::Vector3{} : set.GetPoints()[0];
+  const skd::Vector3 origin = common.value_or(first);
   for (std::uint32_t facet = 0; facet < signs.size(); ++facet)
   {
     if (signs[facet] != 0)

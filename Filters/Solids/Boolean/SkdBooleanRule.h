@@ -133,14 +133,15 @@ SkdFacetSigns SkdFindBoundary(const SkdArrangement& arrangement,
   return signs;
 }
 
-/// The volume within a boundary, and its area.
+/// The volume within a boundary, and its area. Volumes of parts of one that is open itself are sums
+/// from a point that all parts have in common.
 struct SkdBoundaryMeasures
 {
   double Volume = 0.0;
   double Area = 0.0;
 };
-SkdBoundaryMeasures SkdMeasureBoundary(
-  const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs);
+SkdBoundaryMeasures SkdMeasureBoundary(const SkdMovedTriangles& set, const SkdFacets& facets,
+  const SkdFacetSigns& signs, const std::optional<skd::Vector3>& common = std::nullopt);
 }
 
 #endif

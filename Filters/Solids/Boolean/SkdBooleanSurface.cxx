@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdForEach.h"
 #include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdMakeMesh.h"
 #include "Solids/Boolean/SkdBooleanFaces.h"
@@ -176,6 +177,7 @@ private:
           i, hasSolids ? static_cast<int>(this->Parts.Solids.GetSolids().Of[parent]) : 0);
         blocks->SetValue(i, this->Parts.Blocks.All[cell.Block].BlockIndex);
       });
+    this->JoinIds(ids);
     data->AddArray(inputs);
     data->AddArray(ids);
     if (hasSolids)
@@ -185,6 +187,22 @@ private:
     if (this->Parts.Blocks.IsComposite)
     {
       data->AddArray(blocks);
+    }
+  }
+
+  /// Makes ids of cells those in the whole, of which each process may have other cells.
+  void JoinIds(vtkIdTypeArray* ids) const
+  {
+    const std::vector<SkdJoinedIds> joined = SkdJoinedIdsOf(this->Parts.Blocks.All);
+    if (std::any_of(
+          joined.begin(), joined.end(), [](const SkdJoinedIds& own) { return own.HasOwn(); }))
+    {
+      SkdForEach(ids->GetNumberOfValues(),
+        [&](vtkIdType i)
+        {
+          const SkdTriangleSet::Cell& cell = this->CellOf(this->ParentOf(i));
+          ids->SetValue(i, joined[static_cast<std::size_t>(cell.Block)].Of(cell.Id));
+        });
     }
   }
 

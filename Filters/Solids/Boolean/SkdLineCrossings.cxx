@@ -68,8 +68,12 @@ std::optional<SkdLineCrossing> SkdCrossTriangle(
 int SkdCompareCrossings(
   const SkdMovedTriangles& set, std::uint32_t first, std::uint32_t second, const SkdAxisLine& line)
 {
-  const std::array<skd::Vector3, 3> a = set.GetCornerPoints(first);
-  const std::array<skd::Vector3, 3> b = set.GetCornerPoints(second);
+  return SkdCompareCrossings(set.GetCornerPoints(first), set.GetCornerPoints(second), line);
+}
+
+int SkdCompareCrossings(const std::array<skd::Vector3, 3>& a, const std::array<skd::Vector3, 3>& b,
+  const SkdAxisLine& line)
+{
   const Range rangeOfA = RangeOf(a, line.Axis);
   const Range rangeOfB = RangeOf(b, line.Axis);
   if (rangeOfA.Max < rangeOfB.Min || rangeOfB.Max < rangeOfA.Min)

@@ -4,6 +4,7 @@
 #define SkdLineCrossings_h
 
 #include "Core/Search/Tree/PackedRTree.h"
+#include "Solids/Boolean/SkdAxisLine.h"
 #include "Solids/Surfaces/SkdPlacement.h"
 
 #include <functional>
@@ -12,13 +13,6 @@
 
 namespace skdtree
 {
-/// A line along an axis, through a point.
-struct SkdAxisLine
-{
-  int Axis;
-  skd::Vector3 Point;
-};
-
 /// Where a line along an axis crosses a triangle: its normal points along the axis (1) or against
 /// it (-1).
 struct SkdLineCrossing
@@ -36,6 +30,10 @@ std::optional<SkdLineCrossing> SkdCrossTriangle(
 /// crosses the first one earlier, 0 if both at one point.
 int SkdCompareCrossings(
   const SkdMovedTriangles& set, std::uint32_t first, std::uint32_t second, const SkdAxisLine& line);
+
+/// The same of triangles given by their corners.
+int SkdCompareCrossings(const std::array<skd::Vector3, 3>& first,
+  const std::array<skd::Vector3, 3>& second, const SkdAxisLine& line);
 
 /// Some triangles, to be crossed by about so many lines.
 class SkdLineCrossings

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdSolidArrangement.h"
 
+#include "Exchange/SkdAskOthers.h"
 #include "Pipeline/SkdLoop.h"
 #include "Solids/Boolean/SkdBooleanNames.h"
 #include "Solids/Boolean/SkdJoinPieces.h"
 #include "Solids/Boolean/SkdSlivers.h"
+#include "Solids/Boolean/SkdSpreadSolids.h"
+#include "Solids/Boolean/SkdSpreadWindings.h"
 #include "vtkAlgorithm.h"
 
 #include <algorithm>
@@ -140,21 +143,29 @@ bool SkdSolidArrangement::CombineInPairs(const SkdSolids& solids, bool areInputs
   return this->Combined || SkdIsAborted(filter);
 }
 
+std::optional<SkdSelfPairs> SkdSolidArrangement::FindPairs(std::size_t most, vtkAlgorithm* filter)
+{
+  SkdLoop loop(filter, 0, 0.2, 0.6, 8);
+  if (!this->Spread)
+  {
+    return SkdFindSelfPairs(this->Triangles, *this->Placement, loop, filter,
+      this->AsRead ? &this->OfInput : nullptr, most);
+  }
+  const std::vector<std::uint32_t> among = this->Spread->ListInContact(this->Triangles);
+  return among.empty()
+    ? SkdSelfPairs()
+    : SkdFindSelfPairs(this->Triangles, *this->Placement, loop, filter, nullptr, most, &among);
+}
+
 bool SkdSolidArrangement::Arrange(
   const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter)
 {
   constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
-  const bool mayCombine = SkdCanCombineInPairs(rule.Operation, areInputs);
+  const bool mayCombine = !this->Spread && SkdCanCombineInPairs(rule.Operation, areInputs);
   const std::size_t dense = mayCombine
     ? std::max(FewEvents, PairsOfTriangle * this->Triangles.GetTriangles().size())
     : unlimited;
-  const auto findPairs = [&](std::size_t most)
-  {
-    SkdLoop loop(filter, 0, 0.2, 0.6, 8);
-    return SkdFindSelfPairs(this->Triangles, *this->Placement, loop, filter,
-      this->AsRead ? &this->OfInput : nullptr, most);
-  };
-  auto pairs = findPairs(dense);
+  auto pairs = this->FindPairs(dense, filter);
   if (!pairs)
   {
     return false;
@@ -164,7 +175,7 @@ bool SkdSolidArrangement::Arrange(
   if (pairs->Pairs.size() <= dense) // else to look at segments would be in vain
   {
     const std::size_t few = mayCombine ? EventsOfPair * pairs->Pairs.size() + FewEvents : unlimited;
-    arrangement = SkdArrange(*this->Placement, *pairs, splitLoop, few);
+    arrangement = SkdArrange(*this->Placement, *pairs, splitLoop, few, this->Spread != nullptr);
   }
   if (arrangement && arrangement->IsCrowd)
   {
@@ -174,7 +185,7 @@ bool SkdSolidArrangement::Arrange(
       this->EqualPoints.clear();
       return this->Combined.has_value();
     }
-    pairs = pairs->AreSome ? findPairs(unlimited) : std::move(pairs);
+    pairs = pairs->AreSome ? this->FindPairs(unlimited, filter) : std::move(pairs);
     arrangement = pairs ? SkdArrange(*this->Placement, *pairs, splitLoop) : std::nullopt;
   }
   if (!arrangement)
@@ -202,7 +213,9 @@ void SkdSolidArrangement::FindSolids(const SkdBooleanBlocks& blocks, bool areInp
     this->AreInputs = areInputs;
     this->Windings.clear();
     this->Sides.clear();
-    this->BadEdges = SkdFindBadEdges(this->Arrangement.Facets, this->Solids.Of, this->Solids.Count);
+    this->BadEdges = this->Spread
+      ? std::vector<SkdBadEdges>(this->Solids.Count)
+      : SkdFindBadEdges(this->Arrangement.Facets, this->Solids.Of, this->Solids.Count);
   }
 }
 
@@ -223,6 +236,10 @@ std::optional<std::uint32_t> SkdSolidArrangement::FindUnclosed(SkdBooleanOperati
 
 std::optional<SkdSheetFaults> SkdSolidArrangement::FindWindings()
 {
+  if (this->Spread)
+  {
+    return this->FindWindingsOverAll() ? std::make_optional(SkdSheetFaults()) : std::nullopt;
+  }
   if (!this->Windings.empty() || this->Combined)
   {
     return SkdSheetFaults();
@@ -234,6 +251,16 @@ std::optional<SkdSheetFaults> SkdSolidArrangement::FindWindings()
   }
   this->FindSides();
   return this->IsSheet(1) ? this->PlaceSheet() : SkdSheetFaults();
+}
+
+/// Whether they were found on all processes.
+bool SkdSolidArrangement::FindWindingsOverAll()
+{
+  SkdSpreadWindings others(*this->Transport, this->Placement->First, this->Solids.Of);
+  this->Windings = SkdFindWindingNumbers(*this->Placement, this->Arrangement, this->Solids.Of,
+    [&others](const auto& positions, bool isOpen) { return others.Ask(positions, isOpen); });
+  const bool isFound = this->Windings.size() == this->Arrangement.NumberOfRegions;
+  return SkdMostOf(*this->Transport, isFound ? 0 : 1) == 0;
 }
 
 void SkdSolidArrangement::SetRoundsNumbers(bool rounds)
@@ -378,7 +405,8 @@ SkdFacetSigns SkdSolidArrangement::FindSection(
 SkdBoundaryMeasures SkdSolidArrangement::Measure(
   const SkdFacets& facets, const SkdFacetSigns& signs) const
 {
-  SkdBoundaryMeasures measures = SkdMeasureBoundary(this->Placement->First, facets, signs);
+  SkdBoundaryMeasures measures = SkdMeasureBoundary(this->Placement->First, facets, signs,
+    this->Spread ? std::make_optional(this->Spread->GetCenter()) : std::nullopt);
   measures.Area /= std::pow(this->Placement->Scale, 2);
   measures.Volume /= std::pow(this->Placement->Scale, 3);
   return measures;

@@ -26,6 +26,9 @@ class vtkAlgorithm;
 
 namespace skdtree
 {
+class SkdSpreadSolids;
+class SkdTransport;
+
 /// The faces that an operation keeps.
 struct SkdBooleanBoundary
 {
@@ -73,6 +76,15 @@ struct SkdBooleanBoundary
 class SkdSolidArrangement
 {
 public:
+  /// The next operation is on the inputs that were dealt out to several processes, or, with
+  /// nullptr, on all of them. Then FindWindings must be called by all together; surfaces are closed
+  /// over all.
+  void SetSpread(const SkdSpreadSolids* spread, SkdTransport* transport)
+  {
+    this->Spread = spread;
+    this->Transport = transport;
+  }
+
   /// Splits the surfaces along all their intersections, unless that is done; `filter` gets the
   /// progress. While the inputs are unchanged but for the motion of the Source, they are not read
   /// again, and intersections of the Input with itself are not searched again: its points stay. The
@@ -191,7 +203,12 @@ private:
   SkdSolids MakeSolids(const SkdBooleanBlocks& blocks, bool areInputs) const;
   SkdBoundaryMeasures Measure(const SkdFacets& facets, const SkdFacetSigns& signs) const;
   std::optional<SkdSheetFaults> PlaceSheet();
+  bool FindWindingsOverAll();
 
+  std::optional<SkdSelfPairs> FindPairs(std::size_t most, vtkAlgorithm* filter);
+
+  const SkdSpreadSolids* Spread = nullptr;
+  SkdTransport* Transport = nullptr;
   SkdTriangleSet Triangles;
   std::optional<SkdTriangleSet> AsRead; // with the Source where it was, if that has moved
   std::optional<skd::RigidMotion> Motion;

@@ -6,6 +6,7 @@
 #include "Core/Geometry/DisjointSets.h"
 #include "Core/Geometry/Predicates/ExactPoint.h"
 #include "Solids/Boolean/SkdLineCrossings.h"
+#include "Solids/Boolean/SkdRelativeWindings.h"
 
 #include <algorithm>
 #include <atomic>
@@ -18,21 +19,8 @@ namespace
 {
 constexpr std::uint32_t None = 0xffffffffu;
 
-/// Adds winding numbers to others.
-void Add(SkdRegionWindings& to, const SkdWindingOf& winding)
-{
-  const auto at = std::lower_bound(to.begin(), to.end(), winding);
-  if (at == to.end() || at->Surface != winding.Surface)
-  {
-    to.insert(at, winding);
-    return;
-  }
-  at->Number += winding.Number;
-  if (at->Number == 0)
-  {
-    to.erase(at);
-  }
-}
+/// Lines through a component that are tried.
+constexpr int MostLines = 64;
 
 /// Facets that are connected by edges.
 struct Component
@@ -74,8 +62,6 @@ public:
     : Set(set)
     , Arrangement(arrangement)
     , SurfaceOf(surfaceOf)
-    , Windings(arrangement.NumberOfRegions)
-    , ComponentOf(arrangement.NumberOfRegions, None)
     , Error(SkdSplitPoints::ErrorOf(set.GetSet().GetLargestCoordinate() * scale))
   {
   }
@@ -90,31 +76,54 @@ public:
       static_cast<vtkIdType>(offsets.size()),
       [&](vtkIdType i)
       {
-        Seed seed = this->FindSeed(static_cast<std::uint32_t>(i));
+        const Seed seed = this->FindSeed(static_cast<std::uint32_t>(i));
         if (seed.Region == None)
         {
           areAllFound = areAllFound && isNeutral[static_cast<std::size_t>(i)];
           return;
         }
-        for (const SkdWindingOf& known : this->Windings[seed.Region])
-        {
-          Add(seed.Windings, { known.Surface, -known.Number });
-        }
-        offsets[i] = std::move(seed.Windings);
+        offsets[i] = this->OffsetOf(seed, {});
       },
       1);
-    if (!areAllFound)
+    return areAllFound ? this->WithOffsets(offsets) : std::vector<SkdRegionWindings>();
+  }
+
+  /// Components may be open, and go on on other processes.
+  std::vector<SkdRegionWindings> FindByAsking(const SkdAskWindings& ask)
+  {
+    this->AreOpen = true;
+    this->Prepare();
+    std::vector<SkdRegionWindings> offsets(this->Components.size());
+    std::vector<bool> isOpen(offsets.size(), true);
+    bool isAnyOpen = true; // on any process
+    for (int attempt = 0; attempt < MostLines && isAnyOpen; ++attempt)
     {
-      return {};
-    }
-    for (std::uint32_t region = 0; region < this->Windings.size(); ++region)
-    {
-      for (const SkdWindingOf& offset : offsets[this->ComponentOf[region]])
+      const std::vector<Asked> asked = this->ListAsked(isOpen, attempt);
+      std::vector<SkdPositionOnLine> positions;
+      for (const Asked& one : asked)
       {
-        Add(this->Windings[region], offset);
+        positions.push_back(one.Position);
+      }
+      const auto answers = ask(positions, std::count(isOpen.begin(), isOpen.end(), true) > 0);
+      isAnyOpen = answers.has_value();
+      for (std::size_t i = 0; isAnyOpen && i < asked.size(); ++i)
+      {
+        if ((*answers)[i])
+        {
+          isOpen[asked[i].Component] = false;
+          offsets[asked[i].Component] = this->OffsetOf(asked[i].From, *(*answers)[i]);
+        }
       }
     }
-    return std::move(this->Windings);
+    const std::vector<bool> isNeutral = this->FindNeutral();
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+    {
+      if (isOpen[i] && !isNeutral[i])
+      {
+        return {};
+      }
+    }
+    return this->WithOffsets(offsets);
   }
 
   std::vector<std::uint32_t> FindParts()
@@ -138,92 +147,74 @@ public:
   }
 
 private:
-  /// A facet between two regions, as seen from one of them.
-  struct Link
+  /// Where a line enters a component.
+  struct Asked
   {
-    std::uint32_t From;
-    std::uint32_t To;
-    std::uint32_t Facet;
-
-    bool operator<(const Link& o) const
-    {
-      return this->From != o.From ? this->From < o.From
-                                  : (this->To != o.To ? this->To < o.To : this->Facet < o.Facet);
-    }
-    bool ConnectsAs(const Link& o) const { return this->From == o.From && this->To == o.To; }
+    std::uint32_t Component;
+    Seed From;
+    SkdPositionOnLine Position;
   };
+
+  /// Of components that are open the next line, where it is of use.
+  std::vector<Asked> ListAsked(const std::vector<bool>& isOpen, int attempt) const
+  {
+    std::vector<Asked> asked;
+    for (std::uint32_t i = 0; i < isOpen.size(); ++i)
+    {
+      const auto take =
+        [&](const SkdAxisLine& line, const SkdLineCrossing& first, std::uint32_t region)
+      {
+        Seed seed{ region, {} };
+        const bool isSure = this->AddNested(i, first, line, seed);
+        if (isSure)
+        {
+          asked.push_back({ i, seed, { line, this->Set.GetCornerPoints(first.Triangle) } });
+        }
+        return isSure;
+      };
+      if (isOpen[i])
+      {
+        this->TryEntrance(i, attempt, take);
+      }
+    }
+    return asked;
+  }
+
+  /// What is to be added to the numbers of a component's regions.
+  SkdRegionWindings OffsetOf(const Seed& seed, const SkdRegionWindings& others) const
+  {
+    SkdRegionWindings offset = seed.Windings;
+    for (const SkdWindingOf& other : others)
+    {
+      SkdAddWinding(offset, other);
+    }
+    for (const SkdWindingOf& known : this->Windings[seed.Region])
+    {
+      SkdAddWinding(offset, { known.Surface, -known.Number });
+    }
+    return offset;
+  }
+
+  std::vector<SkdRegionWindings> WithOffsets(const std::vector<SkdRegionWindings>& offsets)
+  {
+    for (std::uint32_t region = 0; region < this->Windings.size(); ++region)
+    {
+      for (const SkdWindingOf& offset : offsets[this->ComponentOf[region]])
+      {
+        SkdAddWinding(this->Windings[region], offset);
+      }
+    }
+    return std::move(this->Windings);
+  }
 
   void Prepare()
   {
-    this->SpreadWindings();
+    SkdRelativeWindings relative(this->Arrangement, this->SurfaceOf);
+    this->Windings = std::move(relative.OfRegions);
+    this->ComponentOf = std::move(relative.ComponentOf);
+    this->Components.resize(relative.NumberOfComponents);
     this->CollectComponents();
     this->PrepareLines();
-  }
-
-  std::vector<Link> ListLinks() const
-  {
-    std::vector<Link> links;
-    Link last{ None, None, None };
-    for (std::uint32_t facet = 0; facet < this->Arrangement.Facets.GetNumberOfFacets(); ++facet)
-    {
-      const Link link{ this->Arrangement.GetFront(facet), this->Arrangement.GetBack(facet), facet };
-      if (!link.ConnectsAs(last))
-      {
-        links.push_back(link);
-        links.push_back({ link.To, link.From, facet });
-        last = link;
-      }
-    }
-    std::sort(links.begin(), links.end());
-    links.erase(std::unique(links.begin(), links.end(),
-                  [](const Link& a, const Link& b) { return a.ConnectsAs(b); }),
-      links.end());
-    return links;
-  }
-
-  /// Numbers relative to one region of each component.
-  void SpreadWindings()
-  {
-    const std::vector<Link> links = this->ListLinks();
-    std::uint32_t count = 0;
-    std::vector<std::uint32_t> open;
-    for (std::uint32_t start = 0; start < this->Windings.size(); ++start)
-    {
-      if (this->ComponentOf[start] != None)
-      {
-        continue;
-      }
-      this->ComponentOf[start] = count++;
-      open.push_back(start);
-      while (!open.empty())
-      {
-        const std::uint32_t region = open.back();
-        open.pop_back();
-        auto link = std::lower_bound(links.begin(), links.end(), Link{ region, 0, 0 });
-        for (; link != links.end() && link->From == region; ++link)
-        {
-          if (this->ComponentOf[link->To] == None)
-          {
-            this->ComponentOf[link->To] = this->ComponentOf[region];
-            this->Windings[link->To] = this->Across(*link);
-            open.push_back(link->To);
-          }
-        }
-      }
-    }
-    this->Components.resize(count);
-  }
-
-  /// The numbers behind a facet are higher by 1 for each of its layers.
-  SkdRegionWindings Across(const Link& link) const
-  {
-    SkdRegionWindings windings = this->Windings[link.From];
-    const int step = link.From == this->Arrangement.GetFront(link.Facet) ? 1 : -1;
-    this->Arrangement.Facets.ForEachLayer(link.Facet,
-      [&](std::uint32_t parent, int sign) {
-        Add(windings, { this->SurfaceOf[parent], step * sign });
-      });
-    return windings;
   }
 
   void CollectComponents()
@@ -279,6 +270,10 @@ private:
     }
     std::vector<std::size_t> counts(boxes.size(), 1);
     this->Boxes.emplace(boxes);
+    for (const skd::Box3& box : boxes)
+    {
+      this->Bounds.Add(box);
+    }
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
     {
       this->ForEachAround(i, this->LineOf(i, 0), [&](std::uint32_t other) { ++counts[other]; });
@@ -290,13 +285,15 @@ private:
     }
   }
 
-  /// Calls visit(other) for other components whose box a line crosses where a component is.
+  /// Calls visit(other) for other components whose box a line crosses where a component is; before
+  /// that, too, if they may be open.
   template <class Visit>
   void ForEachAround(std::uint32_t component, const SkdAxisLine& line, const Visit& visit) const
   {
     skd::Box3 where;
     where.Add(line.Point);
-    where.Min[line.Axis] = this->Components[component].Box.Min[line.Axis];
+    where.Min[line.Axis] =
+      (this->AreOpen ? this->Bounds : this->Components[component].Box).Min[line.Axis];
     where.Max[line.Axis] = this->Components[component].Box.Max[line.Axis];
     this->Boxes->ForEachOverlapping(where,
       [&](std::uint32_t other)
@@ -329,24 +326,30 @@ private:
   template <class Visit>
   void ForEachEntrance(std::uint32_t component, const Visit& visit) const
   {
-    constexpr int most = 64;
-    for (int attempt = 0; attempt < most; ++attempt)
+    for (int attempt = 0; attempt < MostLines; ++attempt)
     {
-      const SkdAxisLine line = this->LineOf(component, attempt);
-      const auto crossings = this->Lines[component]->Find(line);
-      if (!crossings || crossings->empty())
-      {
-        continue;
-      }
-      const SkdLineCrossing first = *std::min_element(crossings->begin(), crossings->end(),
-        [&](const SkdLineCrossing& a, const SkdLineCrossing& b)
-        { return SkdCompareCrossings(this->Set, a.Triangle, b.Triangle, line) < 0; });
-      const std::uint32_t region = this->RegionBefore(first, line);
-      if (region != None && visit(line, first, region))
+      if (this->TryEntrance(component, attempt, visit))
       {
         return;
       }
     }
+  }
+
+  /// The same by one line. Returns what `visit` returned, or false.
+  template <class Visit>
+  bool TryEntrance(std::uint32_t component, int attempt, const Visit& visit) const
+  {
+    const SkdAxisLine line = this->LineOf(component, attempt);
+    const auto crossings = this->Lines[component]->Find(line);
+    if (!crossings || crossings->empty())
+    {
+      return false;
+    }
+    const SkdLineCrossing first = *std::min_element(crossings->begin(), crossings->end(),
+      [&](const SkdLineCrossing& a, const SkdLineCrossing& b)
+      { return SkdCompareCrossings(this->Set, a.Triangle, b.Triangle, line) < 0; });
+    const std::uint32_t region = this->RegionBefore(first, line);
+    return region != None && visit(line, first, region);
   }
 
   /// Where a line enters a component the region before it is outside of the component; winding
@@ -507,7 +510,7 @@ private:
           isSure = isSure && order != 0;
           if (order < 0)
           {
-            Add(seed.Windings, { this->SurfaceOf[before.Triangle], -before.Sign });
+            SkdAddWinding(seed.Windings, { this->SurfaceOf[before.Triangle], -before.Sign });
           }
         }
       });
@@ -517,11 +520,13 @@ private:
   const SkdMovedTriangles& Set;
   const SkdArrangement& Arrangement;
   const std::vector<std::uint32_t>& SurfaceOf;
-  std::vector<SkdRegionWindings> Windings;
-  std::vector<std::uint32_t> ComponentOf; // of regions
-  const double Error;                     // of new points
+  std::vector<SkdRegionWindings> Windings; // at first relative ones
+  std::vector<std::uint32_t> ComponentOf;  // of regions
+  const double Error;                      // of new points
+  bool AreOpen = false;                    // components may be
   std::vector<Component> Components;
   std::optional<skd::PackedRTree> Boxes; // of components
+  skd::Box3 Bounds;                      // of all
   std::vector<std::unique_ptr<SkdLineCrossings>> Lines;
 };
 }
@@ -536,5 +541,12 @@ std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacement& placeme
   const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf)
 {
   return Search(placement.First, placement.Scale, arrangement, surfaceOf).Find();
+}
+
+std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacement& placement,
+  const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf,
+  const SkdAskWindings& ask)
+{
+  return Search(placement.First, placement.Scale, arrangement, surfaceOf).FindByAsking(ask);
 }
 }

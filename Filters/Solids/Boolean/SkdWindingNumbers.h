@@ -9,6 +9,9 @@
 #define SkdWindingNumbers_h
 
 #include "Solids/Boolean/SkdArrangement.h"
+#include "Solids/Boolean/SkdAxisLine.h"
+
+#include <functional>
 
 namespace skdtree
 {
@@ -31,6 +34,17 @@ using SkdRegionWindings = std::vector<SkdWindingOf>;
 /// found that passes no edge, which should not happen.
 std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacement& placement,
   const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf);
+
+/// Counts, for each of some positions, the numbers that triangles on other processes cause just
+/// before it; nothing where the line passes through an edge of theirs or crosses one there.
+/// `isOpen`: more may be asked by this process. Empty if that is so on no process.
+using SkdAskWindings = std::function<std::optional<std::vector<std::optional<SkdRegionWindings>>>(
+  const std::vector<SkdPositionOnLine>& positions, bool isOpen)>;
+
+/// The same of surfaces that go on on other processes: `ask` is called equally often on all.
+std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacement& placement,
+  const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf,
+  const SkdAskWindings& ask);
 
 /// The part of space that each region is in, numbered from 0: regions of sets of facets that are
 /// not connected are the same part where no facet is between them. Surfaces may be open. Cost and

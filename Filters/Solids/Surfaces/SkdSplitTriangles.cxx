@@ -64,7 +64,8 @@ private:
   {
     SkdSplitResult result;
     this->NumberPoints(works, result);
-    result.NumberSplit = static_cast<vtkIdType>(works.size());
+    result.NumberSplit = static_cast<vtkIdType>(std::count_if(
+      works.begin(), works.end(), [](const Work& work) { return work.Pieces.size() > 1; }));
     std::size_t count = n - works.size();
     std::for_each(
       works.begin(), works.end(), [&](const Work& work) { count += work.Pieces.size(); });
