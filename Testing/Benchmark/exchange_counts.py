@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What each of 1 to 32 processes holds and sends where a Source lies in pieces, with a fixed number of
 cells and points on each process: a strip of a wavy surface, and another one that crosses it, flat
-strips of other sizes for remapping, and for Boolean operations spheres. Processes may share
-processors: these are counts, no times. Prints a row for each number of processes and way, of the
+strips of other sizes for remapping, and for Boolean operations spheres, or two tubes along all
+processes that cross each other lengthwise. Processes may share processors: these are counts, no times. Prints a row for each number of processes and way, of the
 process that has most; memory is what a filter takes beyond what there is before it runs.
 
 Run by python3 with the build tree's environment (build/setup.sh): exchange_counts.py [cells]"""
@@ -72,6 +72,39 @@ def ball(rank, cells, x):
     return source.GetOutput()
 
 
+def tube(rank, processes, cells, y):
+    """A piece of a closed tube, the same on all processes but for the ends of the first and last."""
+    import numpy
+    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+    side = int((cells / 2) ** 0.5)
+    x, angle = numpy.meshgrid(rank + numpy.arange(side + 1) / side,
+        2.0 * numpy.pi * numpy.arange(side) / side, indexing="ij")
+    rings = numpy.stack([x, y + 0.3 * numpy.cos(angle), 0.3 * numpy.sin(angle)], axis=2)
+    ends = [[rank, y, 0.0], [rank + 1.0, y, 0.0]]
+    i, k = numpy.meshgrid(numpy.arange(side), numpy.arange(side), indexing="ij")
+    a, b = (i * side + k).ravel(), (i * side + (k + 1) % side).ravel()
+    triangles = [numpy.stack([a, a + side, b], axis=1),
+        numpy.stack([b, a + side, b + side], axis=1)]
+    ring, center = numpy.arange(side), (side + 1) * side
+    if rank == 0:
+        triangles.append(numpy.stack([0 * ring + center, ring, (ring + 1) % side], axis=1))
+    if rank == processes - 1:
+        last = side * side + ring
+        triangles.append(numpy.stack(
+            [0 * ring + center + 1, side * side + (ring + 1) % side, last], axis=1))
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(numpy.vstack([rings.reshape(-1, 3), ends]), deep=1))
+    faces = vtkCellArray()
+    faces.SetData(3, numpy_to_vtkIdTypeArray(numpy.concatenate(triangles).ravel(), deep=1))
+    surface = vtkPolyData()
+    surface.SetPoints(points)
+    surface.SetPolys(faces)
+    return surface
+
+
 def filters(inputs, way):
     """Names, and how each is made."""
     from paraview import simple
@@ -92,6 +125,8 @@ def filters(inputs, way):
             SourceDistribution=way),
         "boolean": lambda: simple.SkdTreeBooleanOperation(
             Source=inputs[4], Input=inputs[5], SourceDistribution=way),
+        "boolean, tubes": lambda: simple.SkdTreeBooleanOperation(
+            Source=inputs[6], Input=inputs[7], SourceDistribution=way),
     }
 
 
@@ -116,10 +151,12 @@ def measure(cells, file):
 
     module = servermanager.vtkProcessModule.GetProcessModule()
     rank = module.GetPartitionId()
+    processes = module.GetNumberOfLocalPartitions()
     inputs = []
     for mesh in (strip(rank, cells, 0.0, 0.05), strip(rank, cells, 0.02, 0.05),
             strip(rank, cells, 0.0, 0.0), strip(rank, 0.8 * cells, 0.0, 0.0),
-            ball(rank, cells, 0.0), ball(rank, cells, 0.2)):
+            ball(rank, cells, 0.0), ball(rank, cells, 0.2),
+            tube(rank, processes, cells, 0.0), tube(rank, processes, cells, 0.2)):
         inputs.append(simple.TrivialProducer())
         inputs[-1].GetClientSideObject().SetOutput(mesh)
     found = {way: {name: run_filter(make) for name, make in filters(inputs, way).items()}
