@@ -353,6 +353,57 @@ TYPED_TEST(CellLeafFilters, SeveralCellsAtOnceHaveThePlanesOfEach)
   }
 }
 
+// Any hexahedron is between its slabs; of one with parallel faces what is beside it is not.
+TEST(SlabPacket, HoldsHexahedraAndWithParallelFacesLittleElse)
+{
+  using Shape = skd::Hexahedron;
+  Dice dice(24);
+  int outside = 0;
+  for (int i = 0; i < 500; ++i)
+  {
+    const bool areParallel = i % 4 == 0;
+    skd::CornerLanes<Shape> corners;
+    std::vector<Vector3> cells[skd::SlabRow::Width];
+    for (int lane = 0; lane < skd::SlabRow::Width; ++lane)
+    {
+      cells[lane] = coretest::RandomCell<Shape>(dice, 0.1 * (i % 4));
+      cells[lane][1] = (i + lane) % 7 == 0 && !areParallel ? cells[lane][0] : cells[lane][1];
+      for (int corner = 0; corner < Shape::Size; ++corner)
+      {
+        cells[lane][corner] = 9000.0 * cells[lane][corner];
+        corners.Set(lane, corner, cells[lane][corner]);
+      }
+    }
+    skd::SlabPacket packet;
+    for (int slab = 0; slab < skd::SlabPacket::Number; ++slab)
+    {
+      packet.Slabs[slab].SetBetweenFaces(0xfeu, 2 * slab, corners, skd::SlabRow::Rounding);
+    }
+    const auto heldAt = [&](int lane, const Vector3& pcoords)
+    {
+      const Vector3 x = skd::Evaluate<Shape>(cells[lane].data(), pcoords, { { 0.0, 0.0, 0.0 } });
+      const float position[3] = { float(x[0]), float(x[1]), float(x[2]) };
+      return packet.MayHold(position);
+    };
+    for (int lane = 1; lane < skd::SlabRow::Width; ++lane)
+    {
+      const std::vector<Vector3>& points = cells[lane];
+      Vector3 pcoords = coretest::MoveIntoDomain<Shape>(dice);
+      ASSERT_EQ(heldAt(lane, pcoords) & (1u << lane | 1u), 1u << lane | 1u); // 0 was not set
+      const int axis = lane % 3;
+      pcoords[axis] = i % 8 == 0 ? 1.1 : -0.1;
+      const Vector3 normal = skd::FaceNormal<Shape>(points.data(), 2 * axis);
+      const Vector3 edge = points[axis == 0 ? 1 : axis == 1 ? 3 : 4] - points[0];
+      if (areParallel && 0.1 * std::abs(skd::Dot(normal, edge)) > 20.0 * skd::Norm(normal))
+      {
+        ASSERT_EQ(heldAt(lane, pcoords) >> lane & 1u, 0u);
+        ++outside;
+      }
+    }
+  }
+  EXPECT_GT(outside, 300);
+}
+
 TEST(PlaneRow, ADirectionWithoutLengthExcludesNothing)
 {
   const Vector3 points[1] = { { { 0.0, 0.0, 0.0 } } };

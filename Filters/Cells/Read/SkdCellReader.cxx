@@ -56,13 +56,13 @@ DataSet* Exactly(vtkDataSet* data)
   return typeid(*data) == typeid(DataSet) ? static_cast<DataSet*>(data) : nullptr;
 }
 
-/// Points stored in this type, as those of a cell; false if they are not.
-template <class Real>
+/// The points of a cell; false if they are not stored as floats or doubles.
 bool CopyPoints(vtkPoints* points, vtkGenericCell* cell)
 {
-  const Real* from = SkdStoredValues<Real>(points->GetData());
+  const skd::PointArray from = SkdStoredPoints(points->GetData());
   vtkIdList* ids = cell->GetPointIds();
-  return from && SkdFillCell(cell, ids->GetPointer(0), ids->GetNumberOfIds(), from);
+  return (from.Floats || from.Doubles) &&
+    SkdFillCell(cell, ids->GetPointer(0), ids->GetNumberOfIds(), from);
 }
 
 /// GetCell of a cell that is its type and its points alone, without a virtual call for each of
@@ -77,7 +77,7 @@ bool LoadPlain(Mesh* mesh, vtkIdType cellId, vtkGenericCell* cell)
   }
   cell->SetCellType(type);
   mesh->Mesh::GetCellPoints(cellId, cell->GetPointIds());
-  if (CopyPoints<float>(mesh->GetPoints(), cell) || CopyPoints<double>(mesh->GetPoints(), cell))
+  if (CopyPoints(mesh->GetPoints(), cell))
   {
     return true;
   }

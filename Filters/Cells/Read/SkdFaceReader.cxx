@@ -96,7 +96,7 @@ void SkdReadFaces(vtkDataSet* data, vtkIdType cellId, vtkGenericCell* cell, vtkI
 
 //------------------------------------------------------------------------------
 std::vector<std::uint32_t> SkdFaceReader::Read(vtkIdList* faces, const std::uint32_t* pointIds,
-  std::uint32_t numberOfPoints, const double* coordinates)
+  std::uint32_t numberOfPoints, const skd::PointArray& points)
 {
   this->Stream.clear();
   this->Starts.clear();
@@ -105,7 +105,7 @@ std::vector<std::uint32_t> SkdFaceReader::Read(vtkIdList* faces, const std::uint
     return {};
   }
   this->OrientAlike();
-  this->Rotate(pointIds, coordinates);
+  this->Rotate(pointIds, points);
   return this->Stream;
 }
 
@@ -236,14 +236,10 @@ void SkdFaceReader::Join(const Edge& one, const Edge& other)
 
 //------------------------------------------------------------------------------
 // The cell on the other side of a face, whatever ids it has, so starts at the same point.
-void SkdFaceReader::Rotate(const std::uint32_t* pointIds, const double* coordinates)
+void SkdFaceReader::Rotate(const std::uint32_t* pointIds, const skd::PointArray& points)
 {
   const auto isBefore = [&](std::uint32_t a, std::uint32_t b)
-  {
-    const double* x = coordinates + 3 * std::uint64_t(pointIds[a]);
-    const double* y = coordinates + 3 * std::uint64_t(pointIds[b]);
-    return std::lexicographical_compare(x, x + 3, y, y + 3);
-  };
+  { return points.At(pointIds[a]) < points.At(pointIds[b]); };
   for (const std::uint32_t start : this->Starts)
   {
     std::uint32_t* ids = this->Stream.data() + start + 1;

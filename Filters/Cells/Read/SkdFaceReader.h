@@ -3,7 +3,7 @@
 #ifndef SkdFaceReader_h
 #define SkdFaceReader_h
 
-#include "Core/Geometry/Vector.h"
+#include "Core/Geometry/PointArray.h"
 
 #include "vtkType.h"
 
@@ -33,10 +33,10 @@ void SkdReadFaces(vtkDataSet* data, vtkIdType cellId, vtkGenericCell* cell, vtkI
 class SkdFaceReader
 {
 public:
-  /// Of a cell with these points; `coordinates` are those of the points of all cells. Empty if the
+  /// Of a cell with these points; `points` are those of all cells. Empty if the
   /// cell has no faces, or one that names a point which is not the cell's.
   std::vector<std::uint32_t> Read(vtkIdList* faces, const std::uint32_t* pointIds,
-    std::uint32_t numberOfPoints, const double* coordinates);
+    std::uint32_t numberOfPoints, const skd::PointArray& points);
 
 private:
   struct Edge
@@ -52,7 +52,7 @@ private:
   void CollectEdges();
   std::uint32_t RootOf(std::uint32_t face);
   void Join(const Edge& one, const Edge& other);
-  void Rotate(const std::uint32_t* pointIds, const double* coordinates);
+  void Rotate(const std::uint32_t* pointIds, const skd::PointArray& points);
 
   std::vector<std::uint32_t> Stream;
   std::vector<std::uint32_t> Starts; // of faces in the stream

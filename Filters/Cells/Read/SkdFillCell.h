@@ -4,20 +4,22 @@
 #define SkdFillCell_h
 
 #include "Cells/Read/SkdStoredValues.h"
+#include "Core/Geometry/PointArray.h"
 
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace skdtree
 {
 /// Gives a cell that has its type these point ids, which may be its own already, and their points
-/// from a list of coordinates, without a call for each of them. False if the cell's points are not
+/// from an array of points, without a call for each of them. False if the cell's points are not
 /// stored as doubles, as they are unless someone changed that.
-template <class Id, class Real>
-bool SkdFillCell(vtkGenericCell* cell, const Id* ids, vtkIdType size, const Real* coordinates)
+template <class Id>
+bool SkdFillCell(vtkGenericCell* cell, const Id* ids, vtkIdType size, const skd::PointArray& from)
 {
   vtkIdList* cellIds = cell->GetPointIds();
   if (cellIds->GetNumberOfIds() != size)
@@ -34,11 +36,9 @@ bool SkdFillCell(vtkGenericCell* cell, const Id* ids, vtkIdType size, const Real
   vtkIdType* toId = cellIds->GetPointer(0);
   for (vtkIdType i = 0; to && i < size; ++i, to += 3)
   {
-    const Real* from = coordinates + 3 * static_cast<std::size_t>(ids[i]);
+    const skd::Vector3 x = from.At(static_cast<std::size_t>(ids[i]));
     toId[i] = static_cast<vtkIdType>(ids[i]);
-    to[0] = from[0];
-    to[1] = from[1];
-    to[2] = from[2];
+    std::copy(x.X, x.X + 3, to);
   }
   return to;
 }

@@ -3,6 +3,8 @@
 #ifndef SkdStoredValues_h
 #define SkdStoredValues_h
 
+#include "Core/Geometry/PointArray.h"
+
 #include "vtkAOSDataArrayTemplate.h"
 
 namespace skdtree
@@ -13,6 +15,12 @@ Number* SkdStoredValues(vtkDataArray* array)
 {
   auto* stored = vtkAOSDataArrayTemplate<Number>::FastDownCast(array);
   return stored ? stored->GetPointer(0) : nullptr;
+}
+
+/// Points that are stored so as floats or doubles, else none.
+inline skd::PointArray SkdStoredPoints(vtkDataArray* array)
+{
+  return { SkdStoredValues<float>(array), SkdStoredValues<double>(array) };
 }
 }
 

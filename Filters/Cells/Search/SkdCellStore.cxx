@@ -67,9 +67,8 @@ SkdCellStore::SkdCellStore(const SkdCellStore& whole, const std::vector<std::uin
   , CommonSize(whole.CommonSize)
   , Largest(whole.Largest)
   , Bounds(whole.Bounds)
-  , Coordinates(whole.Coordinates)
+  , Points(whole.Points)
   , NumberOfPoints(whole.NumberOfPoints)
-  , AreFloats(whole.AreFloats)
 {
   const auto copyIf = [&cells](const auto& from, auto& to)
   {
@@ -133,7 +132,7 @@ void SkdCellStore::ReadFaces(vtkDataSet* data)
       SkdReadFaces(data, this->IdOf(static_cast<std::uint32_t>(cell)), cells.Local(), faces);
       const std::uint64_t first = this->Offsets[cell];
       streams[cell] = readers.Local().Read(faces, this->PointIds.data() + first,
-        static_cast<std::uint32_t>(this->Offsets[cell + 1] - first), this->Coordinates);
+        static_cast<std::uint32_t>(this->Offsets[cell + 1] - first), this->Points);
       this->Shapes[cell] = streams[cell].empty() ? SkdShape::PolyVertex : SkdShape::Polyhedron;
     });
   this->FaceOffsets.push_back(0);
@@ -234,7 +233,7 @@ bool SkdCellStore::Load(std::uint32_t cell, vtkGenericCell* loaded) const
     return false;
   }
   loaded->SetCellType(type);
-  return SkdFillCell(loaded, this->PointIdsOf(cell), this->SizeOf(cell), this->Coordinates);
+  return SkdFillCell(loaded, this->PointIdsOf(cell), this->SizeOf(cell), this->Points);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "Cells/Kernels/SkdPolyCell.h"
 #include "Cells/Read/SkdMagnitudes.h"
 #include "Core/Geometry/Box.h"
+#include "Core/Geometry/PointArray.h"
 #include "Core/Search/Tree/RawVector.h"
 
 #include "vtkDataArray.h"
@@ -22,9 +23,10 @@ namespace skdtree
 {
 class SkdCellReader;
 
-/// The cells of a data set for the kernels: double points, 32-bit connectivity, no virtual call.
-/// Cells that no query may return are omitted; the others are numbered 0 .. N-1 in the order of
-/// their ids. Immutable; it keeps no reference to the data set.
+/// The cells of a data set for the kernels: its points where they are stored, if as floats or
+/// doubles, 32-bit connectivity, no virtual call. Cells that no query may return are omitted; the
+/// others are numbered 0 .. N-1 in the order of their ids. Immutable; it keeps no reference to the
+/// data set.
 class SkdCellStore
 {
 public:
@@ -55,6 +57,7 @@ public:
   }
   std::int64_t CellOfId(vtkIdType id) const;
 
+  bool IsAllOf(SkdShape shape) const { return this->Shapes.empty() && this->CommonShape == shape; }
   SkdShape ShapeOf(std::uint32_t cell) const
   {
     return this->Shapes.empty() ? this->CommonShape : this->Shapes[cell];
@@ -73,14 +76,10 @@ public:
   }
 
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; } ///< in use or not
-  skd::Vector3 Point(std::uint32_t pointId) const
-  {
-    const double* x = this->Coordinates + 3 * std::uint64_t(pointId);
-    return { { x[0], x[1], x[2] } };
-  }
+  skd::Vector3 Point(std::uint32_t pointId) const { return this->Points.At(pointId); }
 
   /// Whether all coordinates are exact in single precision.
-  bool HasFloatPoints() const { return this->AreFloats; }
+  bool HasFloatPoints() const { return this->Points.Floats != nullptr; }
 
   template <int Size>
   void Gather(std::uint32_t cell, skd::Vector3 (&points)[Size]) const
@@ -172,10 +171,9 @@ private:
   double Largest = 0.0;
   skd::Box3 Bounds;
 
-  const double* Coordinates = nullptr;
+  skd::PointArray Points;
   vtkIdType NumberOfPoints = 0;
-  bool AreFloats = false;
-  vtkSmartPointer<vtkPoints> SharedPoints;         // the data set's own when they are doubles
+  vtkSmartPointer<vtkPoints> SharedPoints;         // the data set's own if floats or doubles
   vtkSmartPointer<vtkDataArray> SharedCoordinates; // of these, whatever they are given later
   skd::RawVector<double> OwnPoints;
 };

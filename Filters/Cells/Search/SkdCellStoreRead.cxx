@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How the points and cells of a data set get into a store.
 #include "Cells/Read/SkdCellReader.h"
+#include "Cells/Read/SkdStoredValues.h"
 #include "Cells/Search/SkdCellStore.h"
 
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -19,6 +18,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <limits>
 
 namespace skdtree
 {
@@ -81,16 +81,20 @@ bool IsWhole(SkdShape shape, std::size_t size)
 
 /// The largest of some numbers, without their signs, by its bits: these are in the same order, and
 /// those of infinity and NaN above all others.
-std::uint64_t LargestBitsOf(const double* values, vtkIdType count)
+template <class Bits, class Real>
+Real LargestOf(const Real* values, vtkIdType count)
 {
-  std::uint64_t largest = 0;
+  static_assert(sizeof(Bits) == sizeof(Real));
+  Bits largest = 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    std::uint64_t bits;
+    Bits bits;
     std::memcpy(&bits, values + i, sizeof(bits));
-    largest = std::max(largest, bits & 0x7fffffffffffffffu);
+    largest = std::max(largest, bits & std::numeric_limits<Bits>::max() >> 1);
   }
-  return largest;
+  Real value;
+  std::memcpy(&value, &largest, sizeof(value));
+  return value;
 }
 
 /// The result of the first check of a cell: its shape, None to ignore it, or this value to ignore
@@ -192,29 +196,21 @@ void SkdCellStore::ReadPoints(vtkDataSet* data)
   this->NumberOfPoints = data->GetNumberOfPoints();
   auto* pointSet = vtkPointSet::SafeDownCast(data);
   vtkDataArray* points = pointSet ? pointSet->GetPoints()->GetData() : nullptr;
-  if (auto* doubles = vtkDoubleArray::FastDownCast(points))
+  this->Points = SkdStoredPoints(points);
+  if (this->Points.Floats || this->Points.Doubles)
   {
     this->SharedPoints = pointSet->GetPoints();
-    this->SharedCoordinates = doubles;
-    this->Coordinates = doubles->GetPointer(0);
+    this->SharedCoordinates = points;
     return;
   }
   this->OwnPoints.resize(3 * static_cast<std::size_t>(this->NumberOfPoints));
   double* own = this->OwnPoints.data();
-  this->Coordinates = own;
-  auto* floats = vtkFloatArray::FastDownCast(points);
-  const float* values = floats ? floats->GetPointer(0) : nullptr;
-  this->AreFloats = values != nullptr;
+  this->Points.Doubles = own;
   double x[3];
   data->GetPoint(0, x); // what is made at the first call must not be made by many threads
   vtkSMPTools::For(0, this->NumberOfPoints,
     [=](vtkIdType begin, vtkIdType end)
     {
-      if (values)
-      {
-        std::copy(values + 3 * begin, values + 3 * end, own + 3 * begin);
-        return;
-      }
       for (vtkIdType id = begin; id < end; ++id)
       {
         data->GetPoint(id, own + 3 * id);
@@ -230,7 +226,12 @@ bool SkdCellStore::ArePointsFinite()
   vtkSMPTools::For(0, this->NumberOfPoints,
     [&](vtkIdType begin, vtkIdType end)
     {
-      const std::uint64_t here = LargestBitsOf(this->Coordinates + 3 * begin, 3 * (end - begin));
+      const vtkIdType first = 3 * begin, count = 3 * (end - begin);
+      const double largest = this->Points.Floats
+        ? LargestOf<std::uint32_t>(this->Points.Floats + first, count)
+        : LargestOf<std::uint64_t>(this->Points.Doubles + first, count);
+      std::uint64_t here;
+      std::memcpy(&here, &largest, sizeof(here));
       std::uint64_t known = largestBits;
       while (known < here && !largestBits.compare_exchange_weak(known, here))
       {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Search/SkdLeafFilters.h"
 
-#include "Cells/Kernels/SkdKernels.h"
-#include "Core/Geometry/Cells/CellFaces.h"
+#include "Cells/Search/SkdLeafPlanes.h"
 #include "Core/Search/LeafFilters/PlaneLeafFilter.h"
 #include "Core/Search/LeafFilters/TriangleLeafFilters.h"
 
@@ -11,7 +10,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bitset>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -45,41 +45,6 @@ skd::QuantizedCorners<2> QuantizedBoxesOf(const Node& leaf, const skd::Quantizat
   return boxes;
 }
 
-template <class Kernel, class Visit>
-void VisitShapeOf(const Kernel&, const Visit&)
-{
-}
-template <class Shape, class Visit>
-void VisitShapeOf(const SkdVolumeKernel<Shape>&, const Visit& visit)
-{
-  visit(Shape());
-}
-
-/// Calls visit(shape) with a linear volume cell that may be rotated; a voxel's box says it all.
-template <class Visit>
-void VisitVolume(SkdShape shape, const Visit& visit)
-{
-  SkdVisitKernel(shape, [&](auto kernel) { VisitShapeOf(kernel, visit); });
-}
-
-/// Of a cell; of a polyhedron's faces the others are left out.
-constexpr int MostPlanes = 16;
-
-int NumberOfPlanes(const SkdCellStore& store, std::uint32_t cell)
-{
-  int count = 0;
-  if (store.ShapeOf(cell) == SkdShape::Polyhedron)
-  {
-    const skd::PolyhedronView view = store.GatherPoly(cell).AsPolyhedron();
-    for (const std::uint32_t* at = view.Faces; at != view.End; at += 1 + *at)
-    {
-      ++count;
-    }
-  }
-  VisitVolume(store.ShapeOf(cell), [&](auto shape) { count = shape.NumberOfFaces; });
-  return std::min(count, MostPlanes);
-}
-
 constexpr std::size_t NumberOfPieces = 64;
 
 /// Calls body(piece, first, last) in parallel for pieces of 0 .. count - 1, always the same.
@@ -98,135 +63,38 @@ void ForEachPiece(std::uint64_t count, const Body& body)
     });
 }
 
-/// The points of a leaf's triangles, each once.
-struct SharedIds
+/// The points of a leaf's triangles, each once; in meshes whose cells do not share them, those that
+/// have the same coordinates. (To compare these in all meshes makes builds 5 % slower.)
+struct SharedPoints
 {
+  const SkdCellStore& Store;
+  bool AreCompared = this->Store.GetNumberOfPoints() > 2 * vtkIdType(this->Store.NumberOfCells());
   std::uint32_t Ids[3 * skd::TrianglePacket::Width];
   std::uint32_t Count = 0;
 
   std::uint8_t SlotOf(std::uint32_t id)
   {
     std::uint32_t* const end = this->Ids + this->Count;
-    const auto slot = static_cast<std::uint32_t>(std::find(this->Ids, end, id) - this->Ids);
-    if (slot == this->Count)
+    const std::uint32_t* found =
+      this->AreCompared ? this->FindLike(id) : std::find(this->Ids, end, id);
+    if (found == end)
     {
       this->Ids[this->Count++] = id;
     }
-    return static_cast<std::uint8_t>(slot);
-  }
-};
-
-/// One leaf's part of the rows, and where its cells are on its grid.
-struct PlaneFiller
-{
-  const SkdCellStore& Store;
-  const skd::Frame<3>& Frame;
-  skd::QuantizationGrid Grid;
-  double Margin;
-  skd::PlaneRow* Rows;
-
-  /// Selects the cells of a node that have the shape of one of them. Returns their bits.
-  unsigned SetLike(int first, const std::uint32_t* cells, unsigned lanes) const
-  {
-    const SkdShape shape = this->Store.ShapeOf(cells[first]);
-    unsigned alike = 0;
-    skd::ForEachLane(lanes,
-      [&](int lane) { alike |= this->Store.ShapeOf(cells[lane]) == shape ? 1u << lane : 0u; });
-    if (shape == SkdShape::Polyhedron)
-    {
-      skd::ForEachLane(alike, [&](int lane) { this->SetPolyhedron(lane, cells[lane]); });
-    }
-    constexpr std::size_t few = 3; // so many cost less one by one than all lanes at once
-    const bool areFew = std::bitset<Node::Width>(alike).count() <= few;
-    VisitVolume(shape,
-      [&](auto kind)
-      {
-        if (areFew)
-        {
-          this->SetEach<decltype(kind)>(cells, alike);
-        }
-        else
-        {
-          this->SetTogether<decltype(kind)>(cells, alike);
-        }
-      });
-    return alike;
+    return static_cast<std::uint8_t>(found - this->Ids);
   }
 
 private:
-  template <class Shape>
-  void SetEach(const std::uint32_t* cells, unsigned lanes) const
+  /// To the last bit.
+  SKD_NOINLINE const std::uint32_t* FindLike(std::uint32_t id) const
   {
-    skd::ForEachLane(lanes,
-      [&](int lane)
-      {
-        skd::Vector3 points[Shape::Size];
-        this->Gather(
-          cells[lane], Shape::Size, [&](int i, const skd::Vector3& point) { points[i] = point; });
-        for (int face = 0; face < Shape::NumberOfFaces; ++face)
-        {
-          this->Rows[face].SetAlongFace(lane, skd::FaceNormal<Shape>(points, face),
-            points[Shape::Faces[face][0]], points, Shape::Size, this->Margin);
-        }
-      });
-  }
-
-  template <class Shape>
-  void SetTogether(const std::uint32_t* cells, unsigned lanes) const
-  {
-    skd::CornerLanes<Shape> corners;
-    skd::ForEachLane(lanes,
-      [&](int lane)
-      {
-        this->Gather(cells[lane], Shape::Size,
-          [&](int i, const skd::Vector3& point) { corners.Set(lane, i, point); });
-      });
-    for (int face = 0; face < Shape::NumberOfFaces; ++face)
+    const auto isLike = [this, x = this->Store.Point(id)](std::uint32_t other)
     {
-      this->Rows[face].SetAlongFaces(lanes, face, corners, this->Margin);
-    }
-  }
-
-  /// Of the first faces of a polyhedron.
-  void SetPolyhedron(int lane, std::uint32_t cell) const
-  {
-    const int count = NumberOfPlanes(this->Store, cell);
-    thread_local std::vector<skd::Vector3> points;
-    points.resize(this->Store.SizeOf(cell));
-    this->Gather(cell, static_cast<int>(points.size()),
-      [&](int i, const skd::Vector3& point) { points[static_cast<std::size_t>(i)] = point; });
-    const skd::PolyhedronView view = this->Store.GatherPoly(cell).AsPolyhedron();
-    const std::uint32_t* at = view.Faces;
-    for (int i = 0; i < count; ++i, at += 1 + *at)
-    {
-      this->Rows[i].SetAlongFace(lane, Across(points.data(), at + 1, *at), points[at[1]],
-        points.data(), static_cast<int>(points.size()), this->Margin);
-    }
-  }
-
-  template <class Visit>
-  void Gather(std::uint32_t cell, int count, const Visit& visit) const
-  {
-    const std::uint32_t* ids = this->Store.PointIdsOf(cell);
-    const skd::QuantizationGrid grid = this->Grid; // of our own: its inverse is made once
-    for (int i = 0; i < count; ++i)
-    {
-      const skd::Vector3 world = this->Store.Point(ids[i]);
-      visit(i, grid.Of(this->Frame.Local(world)));
-    }
-  }
-
-  /// Twice the area vector of a face.
-  static skd::Vector3 Across(
-    const skd::Vector3* points, const std::uint32_t* ids, std::uint32_t size)
-  {
-    const skd::Vector3& first = points[ids[0]];
-    skd::Vector3 sum{ { 0.0, 0.0, 0.0 } };
-    for (std::uint32_t i = 2; i < size; ++i)
-    {
-      sum = sum + skd::Cross(points[ids[i - 1]] - first, points[ids[i]] - first);
-    }
-    return sum;
+      const skd::Vector3 y = this->Store.Point(other);
+      return std::equal(x.X, x.X + 3, y.X,
+        [](double a, double b) { return a == b && std::signbit(a) == std::signbit(b); });
+    };
+    return std::find_if(this->Ids, this->Ids + this->Count, isLike);
   }
 };
 }
@@ -240,12 +108,13 @@ public:
   skd::TrianglePackets ViewTriangles() const
   {
     return { this->Triangles.data(),
-      { this->FloatPoints.empty() ? nullptr : this->FloatPoints.data(),
-        this->Points.empty() ? nullptr : this->Points.data() } };
+      { { this->FloatPoints.empty() ? nullptr : this->FloatPoints.data(),
+        this->Points.empty() ? nullptr : this->Points.data() } } };
   }
   skd::PlanePackets ViewPlanes() const
   {
-    return { this->PlanePackets.data(), this->Rows.data(), this->CommonRows };
+    return { this->PlanePackets.data(), this->PlanePackets.empty() ? this->Boxes.data() : nullptr,
+      this->Rows.data(), this->CommonRows, this->Slabs.empty() ? nullptr : this->Slabs.data() };
   }
   skd::LeafCorners ViewCorners() const;
   std::size_t MemorySize() const;
@@ -261,6 +130,8 @@ private:
     std::uint32_t Leaves = 0;
     std::uint32_t Packets = 0;
     std::uint32_t PlanePackets = 0;
+    std::uint32_t LeastRows = std::numeric_limits<std::uint32_t>::max(); // of the latter
+    std::uint32_t MostRows = 0;
   };
 
   /// Tags leaves for a packet, or with the number of rows that they need.
@@ -269,7 +140,7 @@ private:
     const SkdCellStore& store, skd::Tree<3>& tree, std::uint32_t index, Counts& counts);
   /// Gives packets their numbers, but packets of all leaves, which take theirs when
   /// they are filled. Whether the numbers are those of the leaves.
-  bool Number(skd::Tree<3>& tree, const Counts& counts);
+  bool Number(const SkdCellStore& store, skd::Tree<3>& tree, const Counts& counts);
   void NumberRows();
   void FillTriangles(const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& leaf);
   void FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree);
@@ -283,11 +154,12 @@ private:
   skd::RawVector<skd::TrianglePacket> Triangles;
   skd::RawVector<float> FloatPoints; // of the packets, in turn, if all leaves have one: in
   skd::RawVector<double> Points;     // single precision or, where that is not enough, in double
-  skd::RawVector<skd::PlanePacket> PlanePackets;
+  skd::RawVector<skd::PlanePacket> PlanePackets;  // unless rows are common
   skd::RawVector<skd::QuantizedCorners<2>> Boxes; // of their cells, if all leaves have one
   bool AreDropped = false;                        // the nodes of leaves
-  skd::RawVector<skd::PlaneRow> Rows;             // those of a packet in turn
-  std::uint32_t CommonRows = 0;                   // of each packet, or 0
+  skd::RawVector<skd::PlaneRow> Rows;             // those of a packet in turn, or
+  skd::RawVector<skd::SlabPacket> Slabs;          // instead of all leaves
+  std::uint32_t CommonRows = 0;                   // of each packet, if all leaves have one, or 0
 };
 
 SkdLeafFilters::SkdLeafFilters() = default;
@@ -311,7 +183,8 @@ std::size_t SkdLeafFilters::MemorySize() const
 //------------------------------------------------------------------------------
 SkdLeafFilters::Arrays::Arrays(const SkdCellStore& store, skd::Tree<3>& tree, double rounding)
 {
-  const bool isInOrder = this->Number(tree, Census(store, tree));
+  const Counts counts = Census(store, tree);
+  const bool isInOrder = this->Number(store, tree, counts);
   vtkSMPTools::For(0, static_cast<vtkIdType>(tree.NumberOfNodes()),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -328,13 +201,17 @@ SkdLeafFilters::Arrays::Arrays(const SkdCellStore& store, skd::Tree<3>& tree, do
         }
         else if (node.IsLeaf && skd::PlaneLeafFilter::Knows(node))
         {
+          if (isInOrder)
+          {
+            tree.SetTag(i, skd::PlaneLeafFilter::TagOf(tree.NumberOf(node)));
+          }
           this->FillPlanes(store, tree, node, rounding);
         }
         else if (!node.IsLeaf && isInOrder)
         {
           tree.SetTag(i,
-            this->PlanePackets.empty() ? skd::TrianglePackets::TagOf(0)
-                                       : skd::PlaneLeafFilter::TagOf(0));
+            counts.PlanePackets == 0 ? skd::TrianglePackets::TagOf(0)
+                                     : skd::PlaneLeafFilter::TagOf(0));
           tree.SetNote(i, tree.LeavesBelow(node));
         }
       }
@@ -384,6 +261,8 @@ SkdLeafFilters::Arrays::Counts SkdLeafFilters::Arrays::Census(
     all.Leaves += counts.Leaves;
     all.Packets += counts.Packets;
     all.PlanePackets += counts.PlanePackets;
+    all.LeastRows = std::min(all.LeastRows, counts.LeastRows);
+    all.MostRows = std::max(all.MostRows, counts.MostRows);
   }
   return all;
 }
@@ -403,13 +282,14 @@ void SkdLeafFilters::Arrays::CountIn(
   for (std::uint32_t lane = 0; lane < node.Count; ++lane)
   {
     const std::uint32_t cell = tree.Element(node.First + lane);
-    const int planes = NumberOfPlanes(store, cell);
+    const bool isTriangle = store.ShapeOf(cell) == SkdShape::Triangle;
+    const int planes = isTriangle ? 0 : SkdNumberOfPlanes(store, cell);
     least = std::min(least, planes);
     most = std::max(most, planes);
-    triangles += store.ShapeOf(cell) == SkdShape::Triangle ? 1 : 0;
+    triangles += isTriangle ? 1 : 0;
   }
   ++counts.Leaves;
-  const bool haveRowsNumbers = tree.NumberOfNodes() < Node::NoTag / 2 / MostPlanes;
+  const bool haveRowsNumbers = tree.NumberOfNodes() < Node::NoTag / 2 / SkdMostPlanes;
   if (triangles == node.Count)
   {
     tree.SetTag(index, skd::TrianglePackets::TagOf(0));
@@ -419,20 +299,27 @@ void SkdLeafFilters::Arrays::CountIn(
   {
     tree.SetTag(index, skd::PlaneLeafFilter::TagOf(static_cast<std::uint32_t>(most)));
     ++counts.PlanePackets;
+    counts.LeastRows = std::min(counts.LeastRows, static_cast<std::uint32_t>(most));
+    counts.MostRows = std::max(counts.MostRows, static_cast<std::uint32_t>(most));
   }
 }
 
 //------------------------------------------------------------------------------
-bool SkdLeafFilters::Arrays::Number(skd::Tree<3>& tree, const Counts& counts)
+bool SkdLeafFilters::Arrays::Number(
+  const SkdCellStore& store, skd::Tree<3>& tree, const Counts& counts)
 {
   const bool isInOrder = counts.Packets == counts.Leaves || counts.PlanePackets == counts.Leaves;
   this->Triangles.resize(counts.Packets);
-  this->PlanePackets.resize(counts.PlanePackets);
   this->Boxes.resize(isInOrder ? counts.PlanePackets : 0);
-  if (isInOrder && counts.PlanePackets == 0)
+  if (isInOrder && counts.LeastRows >= counts.MostRows)
   {
+    const bool areSlabs = SkdFillSlabs(store);
+    this->CommonRows = areSlabs ? 0 : counts.MostRows;
+    this->Slabs.resize(areSlabs ? counts.PlanePackets : 0);
+    this->Rows.resize(std::size_t(this->CommonRows) * counts.PlanePackets);
     return true; // packets are numbered as they are filled
   }
+  this->PlanePackets.resize(counts.PlanePackets);
   std::uint32_t packets = 0;
   std::uint32_t planePackets = 0;
   for (std::uint32_t i = 0; i < tree.NumberOfNodes(); ++i)
@@ -461,12 +348,10 @@ bool SkdLeafFilters::Arrays::Number(skd::Tree<3>& tree, const Counts& counts)
 void SkdLeafFilters::Arrays::NumberRows()
 {
   std::uint32_t rows = 0;
-  this->CommonRows = this->PlanePackets.empty() ? 0 : this->PlanePackets.front().Count;
   for (skd::PlanePacket& packet : this->PlanePackets)
   {
     packet.FirstRow = rows;
     rows += packet.Count;
-    this->CommonRows = packet.Count == this->CommonRows ? this->CommonRows : 0;
   }
   this->Rows.resize(rows);
 }
@@ -478,7 +363,7 @@ void SkdLeafFilters::Arrays::FillTriangles(
   skd::TrianglePacket& packet = this->Triangles[leaf.Tag >> 1];
   packet = {};
   packet.Grid = QuantizationGridOf(leaf);
-  SharedIds shared;
+  SharedPoints shared{ store };
   for (int lane = 0; lane < Node::Width; ++lane)
   {
     // Lanes that are not in use have boxes, too: those of the first triangle.
@@ -566,26 +451,38 @@ void SkdLeafFilters::Arrays::CopyPoints(const SkdCellStore& store, const skd::Tr
 void SkdLeafFilters::Arrays::FillPlanes(
   const SkdCellStore& store, const skd::Tree<3>& tree, const Node& leaf, double rounding)
 {
-  skd::PlanePacket& packet = this->PlanePackets[leaf.Tag >> 1];
-  packet.Grid = QuantizationGridOf(leaf);
-  skd::PlaneRow* rows = this->Rows.data() + packet.FirstRow;
-  std::fill_n(rows, packet.Count, skd::PlaneRow());
+  const std::uint32_t number = leaf.Tag >> 1;
+  const skd::QuantizationGrid grid = QuantizationGridOf(leaf);
+  std::size_t firstRow = std::size_t(number) * this->CommonRows;
+  std::uint32_t count = this->CommonRows;
+  if (!this->PlanePackets.empty())
+  {
+    skd::PlanePacket& packet = this->PlanePackets[number];
+    packet.Grid = grid;
+    firstRow = packet.FirstRow;
+    count = packet.Count;
+  }
+  if (!this->Boxes.empty())
+  {
+    this->Boxes[number] = QuantizedBoxesOf(leaf, grid);
+  }
   const skd::Frame<3>& frame = tree.GetFrame();
-  const double margin = rounding * frame.Scale / packet.Grid.Unit + skd::PlaneRow::Rounding;
-  const PlaneFiller filler{ store, frame, packet.Grid, margin, rows };
+  const double margin = rounding * frame.Scale / grid.Unit + skd::PlaneRow::Rounding;
   std::uint32_t cells[Node::Width];
   for (int lane = 0; lane < leaf.Count; ++lane)
   {
     cells[lane] = tree.Element(leaf.First + static_cast<std::uint32_t>(lane));
   }
-  for (unsigned left = leaf.Occupied(); left != 0;)
+  const SkdLeafPlanes planes(store, frame, grid, margin);
+  if (!this->Slabs.empty())
   {
-    left &= ~filler.SetLike(skd::LowestBit(left), cells, left);
+    this->Slabs[number] = {};
+    planes.Set(cells, leaf.Occupied(), this->Slabs[number]);
+    return;
   }
-  if (!this->Boxes.empty())
-  {
-    this->Boxes[leaf.Tag >> 1] = QuantizedBoxesOf(leaf, packet.Grid);
-  }
+  skd::PlaneRow* rows = this->Rows.data() + firstRow;
+  std::fill_n(rows, count, skd::PlaneRow());
+  planes.Set(cells, leaf.Occupied(), rows);
 }
 
 //------------------------------------------------------------------------------
@@ -595,6 +492,7 @@ std::size_t SkdLeafFilters::Arrays::MemorySize() const
     this->FloatPoints.capacity() * sizeof(float) + this->Points.capacity() * sizeof(double) +
     this->PlanePackets.capacity() * sizeof(skd::PlanePacket) +
     this->Boxes.capacity() * sizeof(skd::QuantizedCorners<2>) +
-    this->Rows.capacity() * sizeof(skd::PlaneRow);
+    this->Rows.capacity() * sizeof(skd::PlaneRow) +
+    this->Slabs.capacity() * sizeof(skd::SlabPacket);
 }
 }

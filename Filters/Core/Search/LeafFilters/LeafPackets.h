@@ -6,6 +6,7 @@
 #ifndef skd_LeafFilters_LeafPackets_h
 #define skd_LeafFilters_LeafPackets_h
 
+#include "../../Geometry/PointArray.h"
 #include "../Tree/TreeView.h"
 
 #include <cstddef>
@@ -19,22 +20,12 @@ template <int Number>
 struct QuantizedCorners;
 struct PlanePacket;
 struct PlaneRow;
+struct SlabPacket;
 
 /// The corners that packets name, each once a packet, as the data set has them: in single precision
 /// where it has no more.
-struct PacketPoints
+struct PacketPoints : PointArray
 {
-  const float* Floats = nullptr; ///< one of the two
-  const double* Doubles = nullptr;
-
-  Vector3 At(std::uint32_t point) const
-  {
-    const std::size_t at = 3 * std::size_t(point);
-    return this->Floats
-      ? Vector3{ { this->Floats[at], this->Floats[at + 1], this->Floats[at + 2] } }
-      : Vector3{ { this->Doubles[at], this->Doubles[at + 1], this->Doubles[at + 2] } };
-  }
-
   /// As many as packets have usually.
   void Fetch(std::uint32_t first) const
   {
@@ -128,12 +119,15 @@ private:
   std::uint32_t FirstDropped = Node<3>::NoTag;
 };
 
-/// The packets of planes of a tree's leaves.
+/// The packets of planes of a tree's leaves. Those of all leaves, of slabs or of equally many rows,
+/// are told by their numbers alone: their grids are those of the boxes.
 struct PlanePackets
 {
   const PlanePacket* First = nullptr;
-  const PlaneRow* Rows = nullptr; ///< those of a packet in turn
-  std::uint32_t CommonRows = 0;   ///< of each packet, or 0
+  const QuantizedCorners<2>* Boxes = nullptr; ///< instead, or nullptr
+  const PlaneRow* Rows = nullptr;             ///< those of a packet in turn
+  std::uint32_t CommonRows = 0;               ///< of each packet, beside Boxes
+  const SlabPacket* Slabs = nullptr;          ///< instead of rows, beside Boxes, or nullptr
 };
 
 }

@@ -5,6 +5,7 @@
 
 #include "LeafPackets.h"
 #include "PlaneRow.h"
+#include "TrianglePacket.h"
 
 namespace skd
 {
@@ -39,33 +40,59 @@ public:
   static std::uint32_t TagOf(std::uint32_t packet) { return 2 * packet + 1; }
   static std::uint32_t NumberOf(const Node<3>& leaf) { return leaf.Tag >> 1; }
 
-  unsigned Pass(std::uint32_t number, std::uint32_t count, float*, float&) const
+  SKD_FLATTEN unsigned Pass(std::uint32_t number, std::uint32_t count, float*, float&) const
   {
-    const PlanePacket& packet = this->Packets.First[number];
-    const PlaneRow* row = this->Packets.Rows + packet.FirstRow;
-    const Vector3 x = packet.Grid.Of(this->Local);
-    const float rounded[3] = { static_cast<float>(x[0]), static_cast<float>(x[1]),
-      static_cast<float>(x[2]) };
-    unsigned passed = LowBits(count);
-    for (std::uint32_t i = 0; i < packet.Count && passed != 0; ++i)
+    const PlanePackets& packets = this->Packets;
+    if (packets.Slabs)
     {
-      passed &= row[i].MayHold(rounded);
+      return packets.Slabs[number].MayHold(this->On(packets.Boxes[number].Grid).X) & LowBits(count);
+    }
+    const PlanePacket* packet = packets.Boxes ? nullptr : packets.First + number;
+    const Rounded x = this->On(packet ? packet->Grid : packets.Boxes[number].Grid);
+    const PlaneRow* row =
+      packets.Rows + (packet ? packet->FirstRow : number * std::size_t(packets.CommonRows));
+    const PlaneRow* const end = row + (packet ? packet->Count : packets.CommonRows);
+    unsigned passed = LowBits(count);
+    for (; row != end && passed != 0; ++row)
+    {
+      passed &= row->MayHold(x.X);
     }
     return passed;
   }
 
   void Fetch(std::uint32_t number) const
   {
-    FetchLines<sizeof(PlanePacket)>(this->Packets.First + number);
-    for (std::uint32_t i = 0; i < this->Packets.CommonRows; ++i)
+    const PlanePackets& packets = this->Packets;
+    if (!packets.Boxes)
     {
-      FetchLines<sizeof(PlaneRow)>(
-        this->Packets.Rows + number * std::uint64_t(this->Packets.CommonRows) + i);
+      FetchLines<sizeof(PlanePacket)>(packets.First + number);
+      return;
+    }
+    FetchLines<1>(&packets.Boxes[number].Grid);
+    if (packets.Slabs)
+    {
+      FetchLines<sizeof(SlabPacket)>(packets.Slabs + number);
+      FetchLines<1>(reinterpret_cast<const char*>(packets.Slabs + number + 1) - 1);
+      return;
+    }
+    for (std::uint32_t i = 0; i < packets.CommonRows; ++i)
+    {
+      FetchLines<sizeof(PlaneRow)>(packets.Rows + number * std::size_t(packets.CommonRows) + i);
     }
   }
 
 private:
-  PlanePackets Packets;
+  struct Rounded
+  {
+    float X[3];
+  };
+  Rounded On(const QuantizationGrid& grid) const
+  {
+    const Vector3 x = grid.Of(this->Local);
+    return { { static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2]) } };
+  }
+
+  const PlanePackets& Packets;
   Vector3 Local;
 };
 
