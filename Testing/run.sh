@@ -4,7 +4,8 @@
 #
 # On a fresh Debian 12 or later, as root or with sudo: installs missing packages, builds into build/
 # and runs all tests; then builds and runs the C++ tests again with AddressSanitizer and
-# UndefinedBehaviorSanitizer, unless --no-sanitizers is given.
+# UndefinedBehaviorSanitizer. With --no-sanitizers it does not, and the test of the remote module
+# compiles each source alone instead of in groups.
 #
 # usage: bash Testing/run.sh [--no-sanitizers] [options of ctest]
 
@@ -24,6 +25,7 @@ run_tests() {
   (cd "$root" && ctest --preset "$preset" -j "$(nproc)" "$@" </dev/null) || failed+=("$preset")
 }
 
+[ $with_sanitizers = no ] || export SKDTREE_REMOTE_IN_GROUPS=ON
 install_missing "${packages[@]}" "${test_packages[@]}"
 configure_and_build default "$build"
 run_tests default "$@"
