@@ -84,12 +84,11 @@ double SkdFieldAdaptation::ToleranceOfCells() const
 bool SkdFieldAdaptation::ReadField(vtkDataObject* source, SkdFieldSamples& samples)
 {
   samples = SkdFieldSamples::Read(source, this->Request.Array);
-  this->NumberOfSamples = samples.Positions.size();
-  this->NumberOfTooLarge = samples.TooLarge;
-  if (samples.TooLarge > 0)
+  this->NumberOfTooLarge = static_cast<vtkIdType>(samples.TooLarge.size());
+  if (this->NumberOfTooLarge > 0)
   {
     this->Tell(false,
-      TextOf(samples.TooLarge, " values of Source's field are infinite or beyond ",
+      TextOf(this->NumberOfTooLarge, " values of Source's field are infinite or beyond ",
         SkdComparable.Largest, ", the first that of ", samples.FirstTooLarge,
         ", and are ignored: bring the field into another unit."));
   }
@@ -128,18 +127,20 @@ bool SkdFieldAdaptation::Run(const std::vector<SkdBlock>& inputs, vtkDataObject*
   {
     return false;
   }
-  this->Move(source, std::move(samples), algorithm);
+  this->Move(source, samples, algorithm);
   this->TellOfOutcome();
   this->Seconds = watch.Lap();
   return !this->Adapter.GetOutcome().Rows.empty();
 }
 
 void SkdFieldAdaptation::Move(
-  vtkDataObject* source, SkdFieldSamples samples, vtkAlgorithm* algorithm)
+  vtkDataObject* source, const SkdFieldSamples& samples, vtkAlgorithm* algorithm)
 {
   const bool isOnSphere = this->Adapter.IsOnSphere();
-  std::vector<double> weights = this->SetPositions(samples);
-  const SkdContainedMean means(std::move(samples.Positions), std::move(weights), isOnSphere);
+  SkdFieldSamples distinct = samples.Distinct();
+  this->NumberOfSamples = distinct.Values.size();
+  std::vector<double> weights = this->SetPositions(distinct);
+  const SkdContainedMean means(std::move(distinct.Positions), std::move(weights), isOnSphere);
   const double tolerance = this->ToleranceOfCells();
   const double part = 1.0 / (this->Request.Rules.Iterations + 1.0);
   double progress = 0.0;
@@ -147,7 +148,7 @@ void SkdFieldAdaptation::Move(
   {
     const SkdTargetCells cells(mesh, isOnSphere, tolerance);
     SkdLoop loop(algorithm, mesh->GetNumberOfCells(), progress, progress + part);
-    field = means.GetMeans(cells, samples.Values, SkdEmptyCells::Nearest, loop);
+    field = means.GetMeans(cells, distinct.Values, SkdEmptyCells::Nearest, loop);
     return !SkdIsAborted(algorithm);
   };
   const auto look = [&](int iteration)

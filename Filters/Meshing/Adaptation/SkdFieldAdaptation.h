@@ -61,7 +61,7 @@ private:
   std::vector<double> SetPositions(SkdFieldSamples& samples) const;
   bool WeighsByCosine(const SkdFieldSamples& samples) const;
   double ToleranceOfCells() const;
-  void Move(vtkDataObject* source, SkdFieldSamples samples, vtkAlgorithm* algorithm);
+  void Move(vtkDataObject* source, const SkdFieldSamples& samples, vtkAlgorithm* algorithm);
 
   void Tell(bool isError, const std::string& text) { this->Messages.push_back({ isError, text }); }
   void TellOfMesh();

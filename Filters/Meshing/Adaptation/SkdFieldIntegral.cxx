@@ -5,6 +5,7 @@
 #include "Cells/Read/SkdCellReader.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLonLat.h"
+#include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -12,8 +13,13 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace skdtree
 {
@@ -21,6 +27,106 @@ namespace
 {
 /// So many points are looked for at a time.
 constexpr vtkIdType BatchSize = 1 << 17;
+
+/// The cells of a mesh, which CanRead, as polygons in the order of the positions of their corners.
+class CellsByPosition
+{
+public:
+  explicit CellsByPosition(vtkPointSet* mesh);
+
+  /// `values` of the cells decide between those with the same corners; it may be empty. The new
+  /// mesh, and the old id of each of its cells.
+  vtkSmartPointer<vtkPolyData> Sort(
+    const std::vector<double>& values, std::vector<vtkIdType>& oldIds) const;
+
+private:
+  skd::Vector3 PositionOf(vtkIdType point) const
+  {
+    skd::Vector3 x;
+    this->Mesh->GetPoint(point, x.X);
+    constexpr double last = std::numeric_limits<double>::max(); // of numbers that can be compared
+    return skd::IsFinite(x) ? x : skd::Vector3{ { last, last, last } };
+  }
+  int Compare(vtkIdType a, vtkIdType b) const;
+
+  vtkPointSet* Mesh;
+  std::vector<vtkIdType> Corners; // cell after cell
+  std::vector<std::size_t> Firsts;
+};
+
+CellsByPosition::CellsByPosition(vtkPointSet* mesh)
+  : Mesh(mesh)
+  , Firsts(1, 0)
+{
+  const SkdCellReader reader(mesh);
+  vtkNew<vtkIdList> list;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    reader.VisitPoints(cell, list,
+      [this](const auto* ids, std::size_t size)
+      { this->Corners.insert(this->Corners.end(), ids, ids + size); });
+    if (reader.TypeOf(cell) == VTK_PIXEL)
+    {
+      std::swap(this->Corners.end()[-1], this->Corners.end()[-2]);
+    }
+    this->Firsts.push_back(this->Corners.size());
+  }
+}
+
+/// Less than 0, 0, or more than 0.
+int CellsByPosition::Compare(vtkIdType a, vtkIdType b) const
+{
+  const std::size_t* const first = this->Firsts.data() + a;
+  const std::size_t* const second = this->Firsts.data() + b;
+  const std::size_t common = std::min(first[1] - first[0], second[1] - second[0]);
+  for (std::size_t i = 0; i < common; ++i)
+  {
+    const skd::Vector3 x = this->PositionOf(this->Corners[first[0] + i]);
+    const skd::Vector3 y = this->PositionOf(this->Corners[second[0] + i]);
+    if (!(x == y))
+    {
+      return x < y ? -1 : 1;
+    }
+  }
+  return static_cast<int>(first[1] - first[0] > common) -
+    static_cast<int>(second[1] - second[0] > common);
+}
+
+vtkSmartPointer<vtkPolyData> CellsByPosition::Sort(
+  const std::vector<double>& values, std::vector<vtkIdType>& oldIds) const
+{
+  const auto valueOf = [&](vtkIdType cell)
+  {
+    const double value = values.empty() ? 0.0 : values[static_cast<std::size_t>(cell)];
+    return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+  };
+  oldIds.resize(this->Firsts.size() - 1);
+  std::iota(oldIds.begin(), oldIds.end(), vtkIdType(0));
+  std::stable_sort(oldIds.begin(), oldIds.end(),
+    [&](vtkIdType a, vtkIdType b)
+    {
+      const int order = this->Compare(a, b);
+      return order < 0 || (order == 0 && valueOf(a) < valueOf(b));
+    });
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(
+    static_cast<vtkIdType>(oldIds.size()), static_cast<vtkIdType>(this->Corners.size()));
+  for (const vtkIdType cell : oldIds)
+  {
+    const std::size_t* const first = this->Firsts.data() + cell;
+    cells->InsertNextCell(
+      static_cast<vtkIdType>(first[1] - first[0]), this->Corners.data() + first[0]);
+  }
+  auto sorted = vtkSmartPointer<vtkPolyData>::New();
+  sorted->SetPoints(this->Mesh->GetPoints());
+  sorted->SetPolys(cells);
+  return sorted;
+}
+
+bool HasCellsInAnyOrder(vtkDataSet* mesh)
+{
+  return vtkPolyData::SafeDownCast(mesh) || vtkUnstructuredGrid::SafeDownCast(mesh);
+}
 }
 
 bool SkdFieldIntegral::CanRead(vtkDataObject* source)
@@ -50,8 +156,14 @@ SkdFieldIntegral::SkdFieldIntegral(vtkDataObject* source, const SkdFieldSamples&
   , IsInDegrees(isInDegrees)
   , Locator(vtkSmartPointer<vtkSkdTreeCellLocator>::New())
 {
-  vtkDataSet* mesh = SkdBlocksOf(source).front().Mesh;
+  vtkSmartPointer<vtkDataSet> mesh = SkdBlocksOf(source).front().Mesh;
   mesh->GetBounds(this->Bounds);
+  if (HasCellsInAnyOrder(mesh)) // of cells that a point is in, the first counts
+  {
+    const CellsByPosition cells(vtkPointSet::SafeDownCast(mesh));
+    const std::vector<double> nothing;
+    mesh = cells.Sort(values.AreOfPoints ? nothing : values.Values, this->OldCells);
+  }
   this->Locator->SetDataSet(mesh);
   this->Locator->BuildLocator();
 }
@@ -89,6 +201,7 @@ std::vector<double> SkdFieldIntegral::FindValues(vtkPoints* positions) const
 {
   constexpr double anywhere = VTK_DOUBLE_MAX;
   const std::vector<double>& given = this->Samples.Values;
+  const bool areSorted = !this->Samples.AreOfPoints && !this->OldCells.empty();
   vtkNew<vtkIdTypeArray> ids; // of cells, or of a cell's points
   vtkNew<vtkDoubleArray> weights;
   if (this->Samples.AreOfPoints)
@@ -108,7 +221,11 @@ std::vector<double> SkdFieldIntegral::FindValues(vtkPoints* positions) const
       const vtkIdType id = ids->GetTypedComponent(static_cast<vtkIdType>(i), k);
       const double weight =
         this->Samples.AreOfPoints ? weights->GetTypedComponent(static_cast<vtkIdType>(i), k) : 1.0;
-      values[i] += id < 0 ? 0.0 : weight * given[static_cast<std::size_t>(id)];
+      if (id >= 0)
+      {
+        const auto at = static_cast<std::size_t>(id);
+        values[i] += weight * given[areSorted ? static_cast<std::size_t>(this->OldCells[at]) : at];
+      }
     }
   }
   return values;

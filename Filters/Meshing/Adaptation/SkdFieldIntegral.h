@@ -21,7 +21,7 @@ namespace skdtree
 /// its mesh, that of cells is the same all over each. What is off the mesh takes what is nearest.
 /// Means over a cell are by the midpoint rule on each of the triangles around the middle of its
 /// corners, or on four parts of each where the field jumps (from cell to cell) or has many samples:
-/// exact, to rounding, for fields that are linear there.
+/// exact, to rounding, for fields that are linear there. The order of the cells does not matter.
 class SkdFieldIntegral
 {
 public:
@@ -55,6 +55,7 @@ private:
   bool IsInDegrees;
   bool IsInParts = false; // each triangle
   double Bounds[6];
+  std::vector<vtkIdType> OldCells; // by their ids in the locator, if those are others
   vtkSmartPointer<vtkSkdTreeCellLocator> Locator;
 };
 }

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace skdtree
 {
@@ -66,6 +67,21 @@ skd::Vector3 MiddleOf(vtkDataSet* mesh, vtkIdType cell, vtkGenericCell* scratch)
   }
   return n > 0 ? (1.0 / static_cast<double>(n)) * sum : sum;
 }
+
+struct Sample
+{
+  skd::Vector3 Position;
+  double Value;
+
+  /// Row by row, as structured grids have their points.
+  auto AsRow() const
+  {
+    const skd::Vector3& x = this->Position;
+    return std::make_tuple(x[2], x[1], x[0], this->Value);
+  }
+  bool operator<(const Sample& other) const { return this->AsRow() < other.AsRow(); }
+  bool operator==(const Sample& other) const { return this->AsRow() == other.AsRow(); }
+};
 }
 
 void SkdFieldSamples::AddAll(
@@ -89,7 +105,8 @@ void SkdFieldSamples::AddAll(
     const bool counts = ghosts == none || ghosts->GetValue(i) == 0;
     const double value = counts ? MagnitudeOf(array, i) : vtkMath::Nan();
     const bool isTooLarge = std::abs(value) > SkdComparable.Largest;
-    if (isTooLarge && this->TooLarge++ == 0)
+    if (isTooLarge && skd::IsFinite(x) && this->TooLarge.insert(x).second &&
+      this->TooLarge.size() == 1)
     {
       const char* what = type == vtkDataObject::POINT ? "point " : "cell ";
       this->FirstTooLarge = what + std::to_string(i) + where;
@@ -121,6 +138,35 @@ SkdFieldSamples SkdFieldSamples::Read(vtkDataObject* source, const std::string& 
     }
   }
   return samples;
+}
+
+SkdFieldSamples SkdFieldSamples::Distinct() const
+{
+  std::vector<Sample> all;
+  all.reserve(this->Values.size());
+  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  {
+    if (skd::IsFinite(this->Positions[i]) && !std::isnan(this->Values[i]))
+    {
+      all.push_back({ this->Positions[i], this->Values[i] });
+    }
+  }
+  if (!std::is_sorted(all.begin(), all.end()))
+  {
+    std::sort(all.begin(), all.end());
+  }
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  SkdFieldSamples distinct;
+  distinct.AreOfPoints = this->AreOfPoints;
+  distinct.IsStructured = this->IsStructured;
+  distinct.Positions.reserve(all.size());
+  distinct.Values.reserve(all.size());
+  for (const Sample& sample : all)
+  {
+    distinct.Positions.push_back(sample.Position);
+    distinct.Values.push_back(sample.Value);
+  }
+  return distinct;
 }
 
 bool SkdFieldSamples::HasAny() const
