@@ -10,7 +10,9 @@ import struct
 import sys
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 import skdpieces
 import skdtesting
@@ -138,9 +140,47 @@ def adapted():
     return rows_of(data, "SkdMonitor") if data.GetNumberOfCells() > 0 else numpy.empty((0, COLUMNS))
 
 
+def dealt(mesh, pieces=5):
+    """What a reader of pieces that cells are dealt to at random gives this process: every other one, as
+    many as there are processes, put together. Points where they meet are there once a piece."""
+    rank, processes = skdpieces.process()
+    owners = numpy.random.default_rng(3).integers(pieces, size=mesh.GetNumberOfCells())
+    append = vtkAppendPolyData()
+    append.SetOutputPointsPrecision(vtkAlgorithm.DOUBLE_PRECISION)
+    for piece in range(rank, pieces, processes):
+        append.AddInputData(skdpieces.extract(mesh, numpy.flatnonzero(owners == piece)))
+    append.Update()
+    return append.GetOutput()
+
+
+def adapted_to_itself():
+    """Input and Source come of one reader; all that is found, to the last bit."""
+    from paraview import simple
+
+    tiles = skdpieces.tiles(16)
+    x, y, _ = vtk_to_numpy(tiles.GetPoints().GetData()).T
+    field = numpy_to_vtk(1 + numpy.exp(-40 * (numpy.hypot(x - 0.4, y - 0.3) - 0.3)**2), deep=1)
+    field.SetName("ring")
+    tiles.GetPointData().AddArray(field)
+    producer = simple.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(dealt(tiles))
+    data = output(simple.SkdTreeMeshAdaptation(Input=producer, Source=producer, FieldArray="ring",
+        Monitor="Value", MaximumIterations=2))
+    report = data.GetFieldData()
+    if skdpieces.process()[1] > 1:
+        assert report.GetArray("SkdReportSourceExchanged").GetValue(0) == 0
+    if data.GetNumberOfCells() == 0:
+        return numpy.empty((0, COLUMNS))
+    measures = [report.GetArray("SkdReportEquidistribution" + name).GetValue(0)
+        for name in ("Before", "After", "OfField")]
+    measures.append(report.GetArray("SkdReportSamples").GetValue(0))
+    return numpy.vstack([rows_of(data, "SkdFieldMean"),
+        measures + [0.0] * (COLUMNS - len(measures))])
+
+
 def all_answers():
     write_files()
-    answers = {"adapted": adapted()}
+    answers = {"adapted": adapted(), "adapted to itself": adapted_to_itself()}
     for name, data in all_remapped().items():
         has_cells = data.GetNumberOfCells() > 0
         answers[name] = rows_of(data, "field") if has_cells else numpy.empty((0, COLUMNS))
