@@ -6,8 +6,10 @@
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdProcesses.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 
 using namespace skdtree;
 
@@ -48,7 +50,11 @@ vtkTypeBool vtkSkdTreeSourceAlgorithm::ProcessRequest(
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) && this->Use == SourceUse::Required &&
     this->GetNumberOfInputConnections(1) == 0)
   {
-    vtkErrorMacro("Source is not set: connect the mesh to search to input port 1.");
+    vtkMultiProcessController* all = SkdControllerOf(outputVector->GetInformationObject(0));
+    if (!all || all->GetLocalProcessId() == 0) // said once
+    {
+      vtkErrorMacro("Source is not set: connect the mesh to search to input port 1.");
+    }
     return 1; // the outputs are empty
   }
   this->Inputs->SetAnyMagnitude(this->AnyMagnitude);

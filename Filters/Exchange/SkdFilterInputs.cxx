@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdFilterInputs.h"
 
+#include "Exchange/SkdSharedMessages.h"
 #include "Pipeline/SkdPartialArrays.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdProcesses.h"
@@ -51,6 +52,18 @@ bool Fit(vtkDataObject* piece, vtkDataObject* own, vtkMultiProcessController* co
   }
   return anywhere[0] == 0 && !(isOnSphere && range.IsNotForSpheres);
 }
+
+/// An error on one process ends the request on all.
+void Empty(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    if (vtkDataObject* output = vtkDataObject::GetData(outputs, port))
+    {
+      output->Initialize();
+    }
+  }
+}
 }
 
 int SkdFilterInputs::Process(vtkInformation* request, vtkInformationVector** inputs,
@@ -73,6 +86,7 @@ int SkdFilterInputs::Process(vtkInformation* request, vtkInformationVector** inp
 int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector** inputs,
   vtkInformationVector* outputs, const std::function<int(vtkInformationVector** inputs)>& process)
 {
+  SkdSharedMessages messages(this->Filter, outputs);
   const SkdValidInput valid(this->Filter, request, inputs, this->AnyMagnitude);
   this->Pieces.clear();
   this->OfFilter = {};
@@ -84,9 +98,17 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
   std::vector<vtkInformationVector*> whole;
   this->GatherAll(valid.Get(), outputs, retained, whole);
   const bool isFit = this->CheckGlobalIds();
-  const int result = isFit ? process(whole.data()) : 0;
+  int result = isFit ? process(whole.data()) : 0;
   this->Pieces.clear(); // or their data would stay
-  if (isFit)
+  const bool isTogether = !this->Whole.empty() || !this->Nearby.empty() || !this->Spread.empty();
+  const SkdSharedMessages::Outcome outcome =
+    isTogether ? messages.SayOnce() : SkdSharedMessages::Outcome();
+  if (outcome.IsErrorAnywhere && (!outcome.IsErrorHere || result == 0))
+  {
+    Empty(outputs);
+    result = 1; // or each executive has a message of its own
+  }
+  else if (isFit)
   {
     valid.Report(outputs);
     this->Report(outputs);
@@ -197,7 +219,7 @@ bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, vtkDataObject* own, int 
   }
   if (!transport)
   {
-    if (this->Wanted == Distribution::Exchanged && controller->GetLocalProcessId() == 0)
+    if (this->Wanted == Distribution::Exchanged)
     {
       vtkWarningWithObjectMacro(this->Filter,
         "The Source was gathered on each process: to exchange it VTK must be built with MPI and "
@@ -230,12 +252,11 @@ SkdRepeatedId SkdFilterInputs::FindRepeatedId() const
   return first;
 }
 
-// The same on all processes, of which the first says so.
+// The same on all processes.
 bool SkdFilterInputs::CheckGlobalIds() const
 {
   const SkdRepeatedId repeated = this->FindRepeatedId();
-  if (repeated.IsThere &&
-    vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0)
+  if (repeated.IsThere)
   {
     vtkErrorWithObjectMacro(this->Filter,
       "Global ids must be of one cell and one point each: "

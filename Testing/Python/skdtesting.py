@@ -89,8 +89,8 @@ def process_id():
     return module.GetPartitionId()
 
 
-def run_in_parallel(script, argument, processes=2):
-    """Runs a script in several processes of pvbatch."""
+def run_in_parallel(script, argument, processes=2, listens=False):
+    """Runs a script in several processes of pvbatch. If it `listens`, what they say is returned."""
     # MPI's variables of this process are not for others.
     environment = {
         name: value
@@ -100,8 +100,13 @@ def run_in_parallel(script, argument, processes=2):
         OMPI_MCA_rmaps_base_oversubscribe="1",                    # Open MPI 4
         PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",   # Open MPI 5
         PRTE_MCA_mapby=":oversubscribe")                          # Open MPI 6
-    subprocess.run(["mpiexec", "-np", str(processes), "pvbatch", "--symmetric", script, argument],
-        env=environment, check=True, timeout=300)
+    heard = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True} if listens else {}
+    run = subprocess.run(
+        ["mpiexec", "-np", str(processes), "pvbatch", "--symmetric", script, argument],
+        env=environment, check=not listens, timeout=300, **heard)
+    if run.returncode != 0:
+        raise RuntimeError(run.stdout)
+    return run.stdout
 
 
 def our_proxies():

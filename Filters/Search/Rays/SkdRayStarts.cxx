@@ -122,6 +122,10 @@ void SkdRayStarts::UseArray(vtkDataSet* mesh, SkdQueryPoints::At at, const SkdRa
   vtkDataArray* array =
     name.empty() && !arePositions ? data->GetVectors() : data->GetArray(name.c_str());
   const std::string kind = at == SkdQueryPoints::At::Points ? "point" : "cell";
+  if (this->Points.empty())
+  {
+    return; // a piece without cells may lack any array
+  }
   if (!AreVectors(array))
   {
     this->Directions.assign(this->Points.size(), Vector3{ { 0.0, 0.0, 0.0 } });
