@@ -91,6 +91,12 @@ def cases(partition):
     yield "compared, signed", Case(
         simple.SkdTreeCompareSurfaces(Input=cells, Source=other, SignedDistance=1),
         ["SkdDistance", "SkdClosestPoint"])
+    yield "compared points", Case(simple.SkdTreeCompareSurfaces(
+        Input=skdpieces.source("scatter", partition), Source=ball), ["SkdDistance"])
+    yield "adapted", Case(simple.SkdTreeMeshAdaptation(
+        Input=skdpieces.source("tiles", partition), FieldArray="Elevation", MaximumIterations=1,
+        Source=skdpieces.source("tiles", partition, count=20)), ["SkdFieldMean", "SkdArea"],
+        of_cells=True)
     yield "intersection", Case(
         simple.SkdTreeSurfaceIntersection(Input=ball, Source=other, JoinCurves=0), [],
         of_cells=True)

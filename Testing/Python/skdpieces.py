@@ -11,8 +11,8 @@ import numpy
 import skdtesting
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkIdList, vtkPoints
-from vtkmodules.vtkCommonDataModel import (VTK_LINE, VTK_QUADRATIC_TRIANGLE, vtkDataSetAttributes,
-    vtkImageData, vtkPolyData, vtkUnstructuredGrid)
+from vtkmodules.vtkCommonDataModel import (VTK_LINE, VTK_QUADRATIC_TRIANGLE, VTK_VERTEX,
+    vtkDataSetAttributes, vtkImageData, vtkPolyData, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersCore import (vtkAppendPolyData, vtkCleanPolyData, vtkElevationFilter,
     vtkPointDataToCellData, vtkPolyDataNormals)
@@ -137,6 +137,17 @@ def curved():
             grid.InsertNextCell(VTK_QUADRATIC_TRIANGLE, 6, [add(x) for x in face + middles])
     grid.SetPoints(points)
     return grid
+
+
+def scatter(count=60):
+    """Points alone, each of them a cell."""
+    cloud = vtkUnstructuredGrid()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(numpy.random.default_rng(1).uniform(-4, 4, (count, 3)), deep=1))
+    cloud.SetPoints(points)
+    for i in range(count):
+        cloud.InsertNextCell(VTK_VERTEX, 1, (i,))
+    return cloud
 
 
 def wire(count=30, end=(4.0, 3.0, 2.0)):
