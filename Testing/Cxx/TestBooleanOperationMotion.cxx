@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkSkdTreeBooleanOperation: a Source that is moved by properties.
 
-#include "Support/SolidRun.h"
+#include "Support/MotionRun.h"
 #include "Support/SurfaceMeshes.h"
 
-#include "vtkMatrix4x4.h"
 #include "vtkTransform.h"
 
 #include <set>
@@ -15,28 +14,6 @@ using namespace skdtest;
 namespace
 {
 using Filter = vtkSkdTreeBooleanOperation;
-
-/// What a motion by properties makes of a point, by the same arithmetic.
-Point Moved(const vtkMatrix4x4* by, const Point& x)
-{
-  Point to;
-  for (int i = 0; i < 3; ++i)
-  {
-    to[i] = by->Element[i][0] * x[0] + by->Element[i][1] * x[1] + by->Element[i][2] * x[2] +
-      by->Element[i][3];
-  }
-  return to;
-}
-
-void ExpectEqual(const Mesh& a, const Mesh& b)
-{
-  EXPECT_EQ(a.Points, b.Points);
-  ASSERT_EQ(a.Cells.size(), b.Cells.size());
-  for (std::size_t i = 0; i < a.Cells.size(); ++i)
-  {
-    EXPECT_EQ(a.Cells[i].Points, b.Cells[i].Points);
-  }
-}
 
 /// Whatever was executed before, the output is that of an operation on the moved Source.
 TEST(BooleanOperationMotion, IsThatOfAMovedSource)

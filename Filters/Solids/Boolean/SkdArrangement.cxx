@@ -84,6 +84,10 @@ int EdgeFan::OrientationOf(std::uint32_t low, const SkdEdgeUse& from, const SkdE
 int EdgeFan::SideOf(std::uint32_t low, const SkdEdgeUse& use, std::uint32_t plane) const
 {
   const std::uint32_t triangle = this->Facets.Parents[use.Triangle];
+  if (triangle == plane)
+  {
+    return 0; // exact signs would tell it slowly
+  }
   const std::array<skd::Vector3, 3> x = this->Set.GetCornerPoints(triangle);
   const std::array<skd::Vector3, 3> p = this->Set.GetCornerPoints(plane);
   const int axis = this->Set.Get(triangle).Axis;
@@ -117,19 +121,6 @@ skd::ExactPoint EdgeFan::ExactOf(std::uint32_t point) const
 }
 
 //------------------------------------------------------------------------------
-/// @{ The sides of a facet at an edge: a turn around the edge, counterclockwise as seen from its
-/// higher end, leaves a facet at the one and reaches the next one at the other.
-std::uint32_t SideLeft(const SkdEdgeUse& use)
-{
-  return 2 * use.Triangle + (use.IsForward ? 0 : 1);
-}
-
-std::uint32_t SideEntered(const SkdEdgeUse& use)
-{
-  return 2 * use.Triangle + (use.IsForward ? 1 : 0);
-}
-/// @}
-
 /// The uses of an edge.
 struct EdgeUses
 {
@@ -178,7 +169,7 @@ void FindRegions(const EdgeFan& fan, bool goesOn, SkdArrangement& arrangement)
     for (std::size_t i = 0; i < uses.size(); ++i)
     {
       const SkdEdgeUse& next = uses[i + 1 == uses.size() ? 0 : i + 1];
-      sides.Unite(ofPatch(SideLeft(uses[i])), ofPatch(SideEntered(next)));
+      sides.Unite(ofPatch(SkdSideLeft(uses[i])), ofPatch(SkdSideEntered(next)));
     }
   }
   const std::vector<std::uint32_t> regions = sides.Number(); // patches are by their first facets
@@ -202,10 +193,9 @@ void Keep(const std::vector<SkdTrianglePair>& pairs, double scale, SkdPairCache&
   cache.Known.Doubtful.reset();
   cache.NumberOfTriangles = 0;
 }
+}
 
-/// Finds out once which pairs a motion may make: where triangles, their points and how these are
-/// merged are the same, that depends on rounding alone.
-void UpdateDoubtful(const SkdPlacement& placement, vtkAlgorithm* filter, SkdPairCache& cache)
+void SkdUpdateDoubtful(const SkdPlacement& placement, vtkAlgorithm* filter, SkdPairCache& cache)
 {
   constexpr double progress = 0.2; // the search of pairs goes on from there
   constexpr double room = 1e3;     // so that farther motions have no larger roundings
@@ -223,7 +213,6 @@ void UpdateDoubtful(const SkdPlacement& placement, vtkAlgorithm* filter, SkdPair
       placement.First, cache.Known.End, 2.0 * cache.MostRounding * placement.Scale, loop);
   }
 }
-}
 
 std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlacement& placement,
   SkdLoop& loop, vtkAlgorithm* filter, SkdPairCache* cache, std::size_t most,
@@ -240,7 +229,7 @@ std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlace
   const bool areKnown = mayKeep && cache->Scale == placement.Scale;
   if (areKnown)
   {
-    UpdateDoubtful(placement, filter, *cache);
+    SkdUpdateDoubtful(placement, filter, *cache);
   }
   auto pairs = SkdTrianglePairs(placement).FindSelfIntersections(
     search, loop, areKnown ? &cache->Known : nullptr);
@@ -338,5 +327,33 @@ std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement, const Sk
   FindRegions(
     EdgeFan(placement.First, segments.GetPoints(), arrangement.Facets, ids), goesOn, arrangement);
   return arrangement;
+}
+
+std::optional<SkdArrangedPart> SkdArrangePart(
+  const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs, SkdLoop& loop)
+{
+  const SkdContactPoints contacts(placement, pairs);
+  const SkdSplitSegments segments(placement, pairs, contacts);
+  std::optional<SkdSplitResult> split = SkdSplitTriangles(segments, 0, loop);
+  if (!split)
+  {
+    return std::nullopt;
+  }
+  const std::vector<std::uint32_t> ids = std::move(split->Ids);
+  SkdArrangedPart part;
+  part.NumberSplit = split->NumberSplit;
+  const SkdOverlaps none{ std::vector<bool>(split->Triangles.size(), false), {} };
+  part.Facets = SkdFacets(segments, *std::move(split), none);
+  const EdgeFan fan(placement.First, segments.GetPoints(), part.Facets, ids);
+  part.Facets.Edges.ForEach(
+    [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
+    {
+      if (last - first > 2)
+      {
+        part.Fans.emplace_back(first, last);
+        fan.Sort(low, part.Fans.back());
+      }
+    });
+  return part;
 }
 }

@@ -67,6 +67,11 @@ std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlace
   std::size_t most = std::numeric_limits<std::size_t>::max(),
   const std::vector<std::uint32_t>* among = nullptr);
 
+/// Finds out once which pairs a motion may make (`cache.Known.Doubtful`; none if that is not
+/// known): where triangles, their points and how these are merged are the same, that depends on
+/// rounding alone.
+void SkdUpdateDoubtful(const SkdPlacement& placement, vtkAlgorithm* filter, SkdPairCache& cache);
+
 /// Those of two triangles of one piece, and maybe others.
 std::vector<SkdTrianglePair> SkdFindPairsWithin(SkdTriangleSet& set, const SkdPlacement& placement,
   const std::vector<std::uint32_t>& pieceOf, SkdLoop& loop);
@@ -79,6 +84,37 @@ std::vector<SkdTrianglePair> SkdFindPairsWithin(SkdTriangleSet& set, const SkdPl
 std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement, const SkdSelfPairs& pairs,
   SkdLoop& loop, std::size_t mostEvents = std::numeric_limits<std::size_t>::max(),
   bool goesOn = false);
+
+/// A part of an arrangement: its facets, and the order of these around the edges that more than two
+/// of them have. Regions are not known, as they go on beyond the part.
+struct SkdArrangedPart
+{
+  /// Facets counterclockwise around an edge as seen from its higher end.
+  using Fan = std::vector<SkdEdgeUse>;
+
+  SkdFacets Facets;
+  std::vector<Fan> Fans;
+  vtkIdType NumberSplit = 0; ///< triangles that are in pieces
+};
+
+/// Splits some triangles along all their intersections, which share no area. Empty after an abort.
+std::optional<SkdArrangedPart> SkdArrangePart(
+  const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs, SkdLoop& loop);
+
+///@{
+/// The sides of a facet at an edge, twice its number and 1 more behind it: a turn around the edge,
+/// counterclockwise as seen from its higher end, leaves a facet at the one and reaches the next one
+/// at the other.
+inline std::uint32_t SkdSideLeft(const SkdEdgeUse& use)
+{
+  return 2 * use.Triangle + (use.IsForward ? 0 : 1);
+}
+
+inline std::uint32_t SkdSideEntered(const SkdEdgeUse& use)
+{
+  return 2 * use.Triangle + (use.IsForward ? 1 : 0);
+}
+///@}
 }
 
 #endif

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace skdtree
 {
@@ -131,6 +132,10 @@ private:
   /// of one sign; else the facet itself.
   std::uint32_t FindEndOfPolygon(std::uint32_t facet) const
   {
+    if (this->Options.IsPolygon.empty())
+    {
+      return facet;
+    }
     const std::uint32_t cell = this->CellOf(facet);
     const std::uint32_t parent = this->Facets.Parents[facet];
     const bool isFirst = parent == 0 || this->Set.GetCellOf(parent - 1) != cell;
@@ -241,8 +246,7 @@ private:
   template <class Iterator>
   void Add(std::uint32_t facet, Iterator first, Iterator last)
   {
-    this->Faces.Facets.push_back(facet);
-    this->Faces.Corners.Add(first, last);
+    this->Faces.Add(facet, first, last);
   }
 
   const SkdMovedTriangles& Moved;
@@ -257,11 +261,54 @@ private:
   std::vector<SkdSplitEdge> Edges; // of an outline
   std::vector<std::uint32_t> Loop;
 };
+
+/// One face for each facet. Mostly many of one sign follow each other.
+SkdBooleanFaces MakeTriangles(const SkdFacets& facets, const SkdFacetSigns& signs)
+{
+  const auto unused = std::count(signs.begin(), signs.end(), 0);
+  const std::size_t n = signs.size() - static_cast<std::size_t>(unused);
+  SkdBooleanFaces faces;
+  faces.Facets.resize(n);
+  faces.Corners.resize(3 * n);
+  faces.Ends.resize(n + 1);
+  for (std::size_t i = 0; i <= n; ++i)
+  {
+    faces.Ends[i] = static_cast<std::uint32_t>(3 * i);
+  }
+  std::uint32_t* to = faces.Corners.data();
+  std::uint32_t* facetOf = faces.Facets.data();
+  const auto size = static_cast<std::uint32_t>(signs.size());
+  for (std::uint32_t first = 0; first < size;)
+  {
+    std::uint32_t last = first + 1;
+    while (last < size && signs[last] == signs[first])
+    {
+      ++last;
+    }
+    if (signs[first] != 0)
+    {
+      std::iota(facetOf, facetOf + (last - first), first);
+      facetOf += last - first;
+      const bool isReversed = signs[first] < 0;
+      for (std::uint32_t facet = first; facet < last; ++facet, to += 3)
+      {
+        const Corners& corners = facets.Corners[facet];
+        to[0] = corners[0];
+        to[1] = isReversed ? corners[2] : corners[1];
+        to[2] = isReversed ? corners[1] : corners[2];
+      }
+    }
+    first = last;
+  }
+  return faces;
+}
 }
 
 SkdBooleanFaces SkdMakeBooleanFaces(const SkdMovedTriangles& set, const SkdFacets& facets,
   const SkdFacetSigns& signs, const SkdFaceOptions& options)
 {
-  return FaceMaker(set, facets, signs, options).Make();
+  return options.IsPolygon.empty() && !options.IsMerged
+    ? MakeTriangles(facets, signs)
+    : FaceMaker(set, facets, signs, options).Make();
 }
 }

@@ -3,7 +3,6 @@
 #ifndef SkdBooleanFaces_h
 #define SkdBooleanFaces_h
 
-#include "Core/Geometry/Rows.h"
 #include "Solids/Boolean/SkdBooleanRule.h"
 
 namespace skdtree
@@ -12,14 +11,23 @@ namespace skdtree
 /// contains.
 struct SkdBooleanFaces
 {
-  std::vector<std::uint32_t> Facets; ///< the first of each face
-  skd::IndexRows Corners;            ///< of each face
+  std::vector<std::uint32_t> Facets;    ///< the first of each face
+  std::vector<std::uint32_t> Corners;   ///< of one face after the other
+  std::vector<std::uint32_t> Ends{ 0 }; ///< of these, before the first and of each face
+
+  template <class Iterator>
+  void Add(std::uint32_t facet, Iterator first, Iterator last)
+  {
+    this->Facets.push_back(facet);
+    this->Corners.insert(this->Corners.end(), first, last);
+    this->Ends.push_back(static_cast<std::uint32_t>(this->Corners.size()));
+  }
 };
 
 /// What becomes of facets.
 struct SkdFaceOptions
 {
-  std::vector<bool> IsPolygon; ///< of each cell: all of it, if not split, becomes one face
+  std::vector<bool> IsPolygon; ///< of each cell: all of it, if not split, becomes one face; or none
   bool IsMerged;               ///< pieces of one triangle become convex polygons
 };
 

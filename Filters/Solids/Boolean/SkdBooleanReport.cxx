@@ -185,7 +185,8 @@ void SkdBooleanTotals::Add(
     this->PartVolumes.push_back(measures.Volume);
   }
   const SkdFacets& facets = boundary.GetUnjoinedFacets(solids.GetArrangement());
-  const SkdBadEdges bad = SkdFindBadEdges(facets, boundary.GetUnjoinedSigns());
+  const SkdBadEdges bad =
+    boundary.Bad ? *boundary.Bad : SkdFindBadEdges(facets, boundary.GetUnjoinedSigns());
   if (bad.Count > 0 && this->Bad.Count == 0)
   {
     this->FirstBad = solids.TextOf(bad.First, facets);
@@ -200,7 +201,11 @@ void SkdReportBoolean(vtkAlgorithm* filter, const SkdSolidArrangement& solids,
   ReportInputs(solids, rule, report);
   report.AddCount("TrianglesFolded", totals.NumberFolded);
   report.AddCount("TrianglesSplit",
-    solids.GetCombined() ? solids.GetCombined()->NumberSplit : solids.GetArrangement().NumberSplit);
+    solids.GetCombined() ? solids.GetCombined()->NumberSplit : solids.GetNumberSplit());
+  if (!solids.GetCombined())
+  {
+    report.AddCount("TrianglesArranged", solids.GetNumberArranged());
+  }
   if (rule.Operation == SkdBooleanOperation::Imprint)
   {
     return;

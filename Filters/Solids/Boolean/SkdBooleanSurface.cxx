@@ -17,20 +17,27 @@
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkSMPThreadLocalObject.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace skdtree
 {
 namespace
 {
-/// Of each cell of the set, whether it is a polygon of several triangles. Only these are asked for
-/// their type: a vtkPolyData has to build a list of types for that.
+/// Of each cell of the set, whether it is a polygon of several triangles; empty if none is wanted
+/// or each triangle is a cell. Only these are asked for their type: a vtkPolyData has to build a
+/// list of types for that.
 std::vector<bool> FindPolygons(const SkdTriangleSet& set, const SkdBooleanParts& parts)
 {
+  if (!parts.KeepsPolygons || set.GetCells().size() == set.GetTriangles().size())
+  {
+    return {};
+  }
   std::vector<bool> isPolygon(set.GetCells().size(), false);
   const auto n = static_cast<std::uint32_t>(set.GetTriangles().size());
-  for (std::uint32_t triangle = 1; parts.KeepsPolygons && triangle < n; ++triangle)
+  for (std::uint32_t triangle = 1; triangle < n; ++triangle)
   {
     const std::uint32_t cell = set.GetCellOf(triangle);
     if (cell == set.GetCellOf(triangle - 1) && !isPolygon[cell])
@@ -77,8 +84,8 @@ public:
     const double unscaled = 1.0 / this->Parts.Solids.GetPlacement().Scale;
     const auto pointAt = [&](vtkIdType i)
     { return unscaled * this->Facets.GetPosition(this->Moved, this->Points[i]); };
-    const auto& items = this->Faces.Corners.GetItems();
-    const auto& offsets = this->Faces.Corners.GetOffsets();
+    const std::vector<std::uint32_t>& items = this->Faces.Corners;
+    const std::vector<std::uint32_t>& offsets = this->Faces.Ends;
     auto starts =
       SkdMakeArray<vtkIdTypeArray>("offsets", 1, static_cast<vtkIdType>(offsets.size()));
     auto corners =
@@ -125,11 +132,84 @@ public:
       return;
     }
     const SkdSplitPointData data(this->Set, this->Facets.NewPoints);
+    const bool areAlike = AreAlike(gather, this->Parts.Blocks.All);
     vtkSMPThreadLocalObject<vtkIdList> ids;
-    SkdForEach(n, [&](vtkIdType i) { data.Gather(this->Points[i], i, gather, ids.Local()); });
+    vtkSMPTools::For(0, n,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end;)
+        {
+          const vtkIdType last = areAlike ? this->FindEndOfRun(data, i, end) : i + 1;
+          if (last > i + 1)
+          {
+            TakeRun(gather, i, last - i, *data.FindOrigin(this->Points[i]));
+          }
+          else
+          {
+            data.Gather(this->Points[i], i, gather, ids.Local());
+          }
+          i = last;
+        }
+      });
   }
 
 private:
+  /// Whether each data set with points has all arrays, with numbers of the resulting type.
+  static bool AreAlike(const SkdArrayGather& gather, const std::vector<SkdBlock>& blocks)
+  {
+    for (int i = 0; i < gather.GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* const result = gather.GetResult(i);
+      for (int block = 0; block < static_cast<int>(blocks.size()); ++block)
+      {
+        vtkAbstractArray* const source = gather.GetSource(i, block);
+        const bool isAlike = source && source->IsNumeric() &&
+          source->GetDataType() == result->GetDataType() && source->HasStandardMemoryLayout() &&
+          result->HasStandardMemoryLayout();
+        if (!isAlike && blocks[block].Mesh->GetNumberOfPoints() > 0)
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// Points from one on that follow each other in their data set, too.
+  vtkIdType FindEndOfRun(const SkdSplitPointData& data, vtkIdType first, vtkIdType end) const
+  {
+    const SkdTriangleSet::Origin* const origin = data.FindOrigin(this->Points[first]);
+    if (!origin)
+    {
+      return first + 1;
+    }
+    const int block = origin->Block;
+    vtkIdType last = first + 1;
+    for (vtkIdType id = origin->Id + 1; last < end && data.IsFrom(this->Points[last], block, id);
+         ++id)
+    {
+      ++last;
+    }
+    return last;
+  }
+
+  static void TakeRun(const SkdArrayGather& gather, vtkIdType to, vtkIdType count,
+    const SkdTriangleSet::Origin& origin)
+  {
+    for (int i = 0; i < gather.GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* const source = gather.GetSource(i, origin.Block);
+      vtkAbstractArray* const result = gather.GetResult(i);
+      const auto size = static_cast<std::size_t>(result->GetNumberOfComponents()) *
+        static_cast<std::size_t>(result->GetDataTypeSize());
+      std::memcpy(
+        static_cast<char*>(result->GetVoidPointer(0)) + static_cast<std::size_t>(to) * size,
+        static_cast<const char*>(source->GetVoidPointer(0)) +
+          static_cast<std::size_t>(origin.Id) * size,
+        static_cast<std::size_t>(count) * size);
+    }
+  }
+
   std::uint32_t ParentOf(vtkIdType face) const
   {
     return this->Facets.Parents[this->Faces.Facets[face]];
@@ -145,7 +225,7 @@ private:
   {
     constexpr std::uint32_t none = 0xffffffffu;
     this->Numbers.assign(this->Moved.GetPoints().size() + this->Facets.NewPoints.size(), none);
-    for (const std::uint32_t corner : this->Faces.Corners.GetItems())
+    for (const std::uint32_t corner : this->Faces.Corners)
     {
       this->Numbers[corner] = 0;
     }
@@ -164,17 +244,28 @@ private:
     const bool hasSolids = !this->Parts.Solids.AreSolidsInputs();
     auto inputs = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Input, 1, n);
     auto ids = SkdMakeArray<vtkIdTypeArray>(SkdBooleanNames::Cell, 1, n);
-    auto solids = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Solid, 1, n);
-    auto blocks = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Block, 1, n);
+    auto solids = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Solid, 1, hasSolids ? n : 0);
+    auto blocks =
+      SkdMakeArray<vtkIntArray>(SkdBooleanNames::Block, 1, this->Parts.Blocks.IsComposite ? n : 0);
+    int* const inputOf = inputs->GetPointer(0);
+    vtkIdType* const idOf = ids->GetPointer(0);
     SkdForEach(n,
       [&](vtkIdType i)
       {
-        const std::uint32_t parent = this->ParentOf(i);
-        const SkdTriangleSet::Cell& cell = this->CellOf(parent);
-        inputs->SetValue(i, cell.Block < this->Parts.Blocks.FirstOfSource ? 0 : 1);
-        ids->SetValue(i, cell.Id);
-        solids->SetValue(
-          i, hasSolids ? static_cast<int>(this->Parts.Solids.GetSolids().Of[parent]) : 0);
+        const SkdTriangleSet::Cell& cell = this->CellOf(this->ParentOf(i));
+        inputOf[i] = cell.Block < this->Parts.Blocks.FirstOfSource ? 0 : 1;
+        idOf[i] = cell.Id;
+      });
+    SkdForEach(hasSolids ? n : 0,
+      [&](vtkIdType i)
+      {
+        const std::uint32_t solid = this->Parts.Solids.GetSolids().Of[this->ParentOf(i)];
+        solids->SetValue(i, static_cast<int>(solid));
+      });
+    SkdForEach(this->Parts.Blocks.IsComposite ? n : 0,
+      [&](vtkIdType i)
+      {
+        const SkdTriangleSet::Cell& cell = this->CellOf(this->ParentOf(i));
         blocks->SetValue(i, this->Parts.Blocks.All[cell.Block].BlockIndex);
       });
     this->JoinIds(ids);

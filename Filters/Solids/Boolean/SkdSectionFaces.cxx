@@ -153,8 +153,7 @@ private:
   template <class Iterator>
   void Add(std::uint32_t piece, Iterator first, Iterator last)
   {
-    this->Made.Facets.push_back(this->Pieces[piece]);
-    this->Made.Corners.Add(first, last);
+    this->Made.Add(this->Pieces[piece], first, last);
   }
 
   const SkdMovedTriangles& Moved;

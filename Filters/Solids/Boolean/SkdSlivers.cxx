@@ -405,6 +405,12 @@ private:
 };
 }
 
+bool SkdHaveSlivers(
+  const SkdPlacement& placement, const SkdFacets& facets, const SkdFacetSigns& signs)
+{
+  return !FindSlivers(placement.First, facets, signs).empty();
+}
+
 void SkdRemoveSlivers(const SkdPlacement& placement, const SkdFacets& facets,
   const SkdFacetSigns& signs, std::optional<SkdRoundedFacets>& rounded)
 {

@@ -18,6 +18,10 @@
 
 namespace skdtree
 {
+/// Whether pieces are slivers (see below), of facets that have a sign.
+bool SkdHaveSlivers(
+  const SkdPlacement& placement, const SkdFacets& facets, const SkdFacetSigns& signs);
+
 /// Takes slivers out of a boundary: pieces whose least height is below 16 units in the last place
 /// of their largest coordinate, but not triangles of the set, whose edges stay as well. Does
 /// nothing to `rounded` if there are none; else it is these facets, or itself if it is there,

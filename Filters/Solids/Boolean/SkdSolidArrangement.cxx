@@ -10,6 +10,8 @@
 #include "Solids/Boolean/SkdSpreadSolids.h"
 #include "Solids/Boolean/SkdSpreadWindings.h"
 #include "vtkAlgorithm.h"
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,11 +46,22 @@ bool AreSame(const skd::RigidMotion& a, const skd::RigidMotion& b)
 {
   return std::equal(std::begin(a.Rows), std::end(a.Rows), std::begin(b.Rows)) && a.Shift == b.Shift;
 }
+
+/// Whether an operation is on two solids, of which no two triangles are of one face.
+bool MayBeNear(const SkdBooleanBlocks& blocks, SkdBooleanOperation operation)
+{
+  return operation != SkdBooleanOperation::AtLeast && operation != SkdBooleanOperation::Imprint &&
+    operation != SkdBooleanOperation::Split &&
+    std::none_of(blocks.All.begin(), blocks.All.end(),
+      [](const SkdBlock& block)
+      { return block.Mesh->GetCellData()->HasArray(SkdBooleanNames::Face); });
+}
 }
 
-/// Whether they have changed; nothing if points are no longer finite.
+/// Whether they have changed; nothing if points are no longer finite. Arranges what is near, or
+/// moves all.
 std::optional<bool> SkdSolidArrangement::UpdateTriangles(
-  const SkdBooleanBlocks& blocks, double chordalDeviation)
+  const SkdBooleanBlocks& blocks, double chordalDeviation, bool mayBeNear, vtkAlgorithm* filter)
 {
   if (!blocks.Motion && !this->AsRead)
   {
@@ -60,6 +73,13 @@ std::optional<bool> SkdSolidArrangement::UpdateTriangles(
     this->AsRead.emplace();
   }
   hasChanged = this->AsRead->Update(blocks.All, chordalDeviation) || hasChanged;
+  if (hasChanged)
+  {
+    this->OfInput = {};
+    this->ForgetArrangement();
+    this->Pair.reset();
+    this->PairTries = 0;
+  }
   if (hasChanged && !blocks.Motion)
   {
     this->AsRead.reset();
@@ -67,15 +87,18 @@ std::optional<bool> SkdSolidArrangement::UpdateTriangles(
     return this->Triangles.Update(blocks.All, chordalDeviation);
   }
   const skd::RigidMotion motion = blocks.Motion.value_or(NoMotion);
-  if (!hasChanged && this->Motion && AreSame(motion, *this->Motion))
+  const bool isAtRest = !hasChanged && this->Motion && AreSame(motion, *this->Motion);
+  if (isAtRest && (mayBeNear || !this->Near))
   {
     return false;
   }
   this->FirstOfSource = blocks.FirstOfSource;
-  if (hasChanged)
+  if (!hasChanged && mayBeNear && this->ArrangeNear(blocks, motion, filter))
   {
-    this->OfInput = {};
+    this->Motion = motion;
+    return true;
   }
+  this->ForgetArrangement();
   auto moved = this->AsRead->Moved(blocks.FirstOfSource, motion);
   this->Motion = motion;
   if (!moved)
@@ -89,10 +112,63 @@ std::optional<bool> SkdSolidArrangement::UpdateTriangles(
   return true;
 }
 
+void SkdSolidArrangement::ForgetArrangement()
+{
+  this->Near.reset();
+  this->Placement.reset();
+  this->Windings.clear();
+  this->Sides.clear();
+  this->Solids = {};
+  this->Combined.reset();
+}
+
+/// Once the Source has moved, before all that is known of where it was is given up.
+bool SkdSolidArrangement::PreparePair(const SkdBooleanBlocks& blocks, vtkAlgorithm* filter)
+{
+  constexpr int most = 3; // times: where they are may be the reason why it fails
+  const bool areClosed = std::all_of(this->BadEdges.begin(), this->BadEdges.end(),
+    [](const SkdBadEdges& bad) { return bad.Count == 0; });
+  if (this->Pair || this->PairTries == most || !this->Motion || !this->Placement ||
+    this->Combined || this->Near || !this->AreInputs || this->Solids.Count != 2 || !areClosed)
+  {
+    return this->Pair != nullptr;
+  }
+  const auto& rows = this->Motion->Rows;
+  const SkdPairState state{ *this->AsRead, blocks.FirstOfSource, *this->Placement,
+    this->Arrangement, this->Windings, Dot(Cross(rows[0], rows[1]), rows[2]) < 0.0 };
+  this->Pair = SkdRigidPair::Make(state, this->Triangles, this->OfInput, filter);
+  ++this->PairTries;
+  return this->Pair != nullptr;
+}
+
+/// False if all is to be arranged.
+bool SkdSolidArrangement::ArrangeNear(
+  const SkdBooleanBlocks& blocks, const skd::RigidMotion& motion, vtkAlgorithm* filter)
+{
+  if (!this->PreparePair(blocks, filter))
+  {
+    return false;
+  }
+  this->ForgetArrangement();
+  if (!this->Pair->Move(motion) ||
+    !(RoundingOf(*this->AsRead, this->Pair->GetSet(), motion) <= this->Pair->GetMostRounding()))
+  {
+    return false;
+  }
+  this->Placement.emplace(SkdMakePlacement(this->Pair->GetSet(), nullptr, std::nullopt));
+  if (this->Placement->Scale == 1.0 && !this->Placement->HasTinyPoints)
+  {
+    this->Near = SkdNearArrangement::Make(*this->Pair, *this->Placement, filter);
+  }
+  return this->Near != nullptr;
+}
+
 bool SkdSolidArrangement::Update(const SkdBooleanBlocks& blocks, double chordalDeviation,
   bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter)
 {
-  const std::optional<bool> hasChanged = this->UpdateTriangles(blocks, chordalDeviation);
+  const bool mayBeNear = areInputs && MayBeNear(blocks, rule.Operation);
+  const std::optional<bool> hasChanged =
+    this->UpdateTriangles(blocks, chordalDeviation, mayBeNear, filter);
   if (!hasChanged)
   {
     vtkErrorWithObjectMacro(
@@ -100,23 +176,24 @@ bool SkdSolidArrangement::Update(const SkdBooleanBlocks& blocks, double chordalD
     return false;
   }
   this->WasSplit = *hasChanged;
-  this->Triangles.LeaveOutCopies(1);
   const auto findFaces = [&]
   {
     this->Faces = SkdFaceSets(*this->Placement, blocks.All, SkdBooleanNames::Face,
       { std::begin(SkdBooleanNames::All), std::end(SkdBooleanNames::All) });
   };
+  if (this->Near)
+  {
+    findFaces();
+    return true;
+  }
+  this->Triangles.LeaveOutCopies(1);
   if (!this->WasSplit && this->Placement && !this->Combined)
   {
     findFaces(); // the data may have changed
     return true;
   }
   this->WasSplit = true;
-  this->Placement.reset();
-  this->Windings.clear();
-  this->Sides.clear();
-  this->Solids = {};
-  this->Combined.reset();
+  this->ForgetArrangement();
   this->Placement.emplace(SkdMakePlacement(this->Triangles, nullptr, std::nullopt));
   findFaces();
   if (!this->Arrange(this->MakeSolids(blocks, areInputs), areInputs, rule, filter))
@@ -206,6 +283,13 @@ SkdSolids SkdSolidArrangement::MakeSolids(const SkdBooleanBlocks& blocks, bool a
 
 void SkdSolidArrangement::FindSolids(const SkdBooleanBlocks& blocks, bool areInputs)
 {
+  if (this->Near)
+  {
+    this->Solids.Count = 2;
+    this->AreInputs = true;
+    this->BadEdges.assign(2, SkdBadEdges());
+    return;
+  }
   SkdSolids solids = this->MakeSolids(blocks, areInputs);
   if (this->Windings.empty() || solids.Of != this->Solids.Of)
   {
@@ -240,7 +324,7 @@ std::optional<SkdSheetFaults> SkdSolidArrangement::FindWindings()
   {
     return this->FindWindingsOverAll() ? std::make_optional(SkdSheetFaults()) : std::nullopt;
   }
-  if (!this->Windings.empty() || this->Combined)
+  if (!this->Windings.empty() || this->Combined || this->Near)
   {
     return SkdSheetFaults();
   }
@@ -329,6 +413,11 @@ std::optional<SkdSheetFaults> SkdSolidArrangement::PlaceSheet()
 SkdBooleanBoundary SkdSolidArrangement::Select(
   const SkdBooleanRule& rule, bool closesCut, bool joins)
 {
+  if (this->Near)
+  {
+    SkdNearBoundary near = this->Near->Select(rule, joins, this->Faces);
+    return { {}, std::move(near.Facets), std::nullopt, near.Bad, near.Measures };
+  }
   SkdBooleanBoundary boundary = this->SelectPieces(rule, closesCut);
   if (joins && rule.Operation != SkdBooleanOperation::Imprint)
   {
@@ -343,7 +432,7 @@ SkdBooleanBoundary SkdSolidArrangement::SelectPieces(
 {
   if (this->Combined)
   {
-    return { {}, this->Combined->Boundary, std::nullopt };
+    return { {}, this->Combined->Boundary, std::nullopt, std::nullopt, std::nullopt };
   }
   const SkdFacets& facets = this->Arrangement.Facets;
   const bool isImprint = rule.Operation == SkdBooleanOperation::Imprint;

@@ -14,6 +14,7 @@
 
 #include "Solids/Boolean/SkdBadEdges.h"
 #include "Solids/Boolean/SkdCombineInPairs.h"
+#include "Solids/Boolean/SkdNearArrangement.h"
 #include "Solids/Boolean/SkdRoundedFacets.h"
 #include "Solids/Boolean/SkdSheet.h"
 #include "Solids/Boolean/SkdSideNumbers.h"
@@ -36,6 +37,12 @@ struct SkdBooleanBoundary
   std::optional<SkdRoundedFacets> Rounded; ///< these as they are stored, if that makes a difference
   std::optional<SkdRoundedFacets>
     Joined; ///< these with pieces of one face joined, if there are any
+
+  ///@{
+  /// If they are known: of it without pieces joined, and of it.
+  std::optional<SkdBadEdges> Bad;
+  std::optional<SkdBoundaryMeasures> Measures;
+  ///@}
 
   ///@{
   /// Without pieces joined. They pass edges as often in both directions as what is stored,
@@ -89,7 +96,8 @@ public:
   /// progress. While the inputs are unchanged but for the motion of the Source, they are not read
   /// again, and intersections of the Input with itself are not searched again: its points stay. The
   /// Source's points are rounded where they are, so pairs of its triangles that this may make are
-  /// tested again (SkdDoubtfulPairs).
+  /// tested again (SkdDoubtfulPairs). From the second motion on only triangles that are near the
+  /// other input are arranged (SkdNearArrangement), where that is enough.
   /// `areInputs` and `rule` (but for the number of solids) are of the operation that follows. False
   /// after an abort.
   bool Update(const SkdBooleanBlocks& blocks, double chordalDeviation, bool areInputs,
@@ -132,15 +140,18 @@ public:
   template <class IsSolid>
   SkdBoundaryMeasures Measure(const IsSolid& isSolid) const
   {
-    return this->Measure(this->Arrangement.Facets, this->FindSigns(isSolid));
+    return this->Near ? this->MeasureComponents(isSolid)
+                      : this->Measure(this->Arrangement.Facets, this->FindSigns(isSolid));
   }
   SkdBoundaryMeasures Measure(const SkdBooleanBoundary& boundary) const
   {
-    return this->Measure(boundary.GetFacets(this->Arrangement), boundary.GetSigns());
+    return boundary.Measures
+      ? *boundary.Measures
+      : this->Measure(boundary.GetFacets(this->Arrangement), boundary.GetSigns());
   }
   ///@}
 
-  bool HasWindings() const { return !this->Windings.empty(); }
+  bool HasWindings() const { return this->Near || !this->Windings.empty(); }
 
   /// The result of the operation, if Update has found it.
   const std::optional<SkdCombinedSolids>& GetCombined() const { return this->Combined; }
@@ -160,9 +171,25 @@ public:
   ///@{
   /// Whether Update split the surfaces; the triangles; where they are; what they are split into.
   bool IsNew() const { return this->WasSplit; }
-  const SkdTriangleSet& GetTriangles() const { return this->Triangles; }
+  const SkdTriangleSet& GetTriangles() const
+  {
+    return this->Near ? this->Pair->GetSet() : this->Triangles;
+  }
   const SkdPlacement& GetPlacement() const { return *this->Placement; }
   const SkdArrangement& GetArrangement() const { return this->Arrangement; }
+  ///@}
+
+  ///@{
+  /// Triangles that were arranged, and of these those that are in pieces.
+  vtkIdType GetNumberArranged() const
+  {
+    return this->Near ? this->Near->GetNumberArranged()
+                      : static_cast<vtkIdType>(this->Triangles.GetTriangles().size());
+  }
+  vtkIdType GetNumberSplit() const
+  {
+    return this->Near ? this->Near->GetNumberSplit() : this->Arrangement.NumberSplit;
+  }
   ///@}
 
   ///@{
@@ -193,8 +220,33 @@ private:
   }
 
   SkdRegionWindings WindingsAt(std::uint32_t facet, bool isBehind) const;
+  /// What is within each input that is solid, by its components.
+  template <class IsSolid>
+  SkdBoundaryMeasures MeasureComponents(const IsSolid& isSolid) const
+  {
+    SkdBoundaryMeasures measures;
+    for (const SkdRigidPair::Component& component : this->Pair->GetComponents())
+    {
+      const auto isSolidAt = [&](int number)
+      {
+        return isSolid(number == 0
+            ? SkdRegionWindings()
+            : SkdRegionWindings{ { component.IsOfSource ? 1u : 0u, number } });
+      };
+      const int sign = isSolidAt(component.InFront + 1) - isSolidAt(component.InFront);
+      measures.Volume += sign * component.Volume;
+      measures.Area += sign != 0 ? component.Area : 0.0;
+    }
+    return measures;
+  }
+
   void FindSides();
-  std::optional<bool> UpdateTriangles(const SkdBooleanBlocks& blocks, double chordalDeviation);
+  std::optional<bool> UpdateTriangles(
+    const SkdBooleanBlocks& blocks, double chordalDeviation, bool mayBeNear, vtkAlgorithm* filter);
+  bool ArrangeNear(
+    const SkdBooleanBlocks& blocks, const skd::RigidMotion& motion, vtkAlgorithm* filter);
+  bool PreparePair(const SkdBooleanBlocks& blocks, vtkAlgorithm* filter);
+  void ForgetArrangement();
   SkdBooleanBoundary SelectPieces(const SkdBooleanRule& rule, bool closesCut) const;
   bool Arrange(
     const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter);
@@ -226,6 +278,9 @@ private:
   bool AreRounded = false;
   std::vector<SkdSideNumbers> Sides; // of surfaces that are not closed, if these are rounded
   std::optional<SkdCombinedSolids> Combined; // none: there is an arrangement
+  std::unique_ptr<SkdRigidPair> Pair;        // of the inputs, once the Source has moved twice
+  int PairTries = 0;                         // times that it was tried to make one
+  std::unique_ptr<SkdNearArrangement> Near;  // none: all triangles are arranged
 };
 }
 

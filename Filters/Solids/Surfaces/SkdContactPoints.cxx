@@ -209,6 +209,24 @@ unsigned SkdContactPoints::FindExactAxes(std::uint32_t point, const skd::Vector3
   return this->FindExactAxes(key.first, position) | this->FindExactAxes(key.second, position);
 }
 
+skd::ClosePoint SkdContactPoints::GetClose(std::uint32_t point) const
+{
+  const Key& key = this->Keys[point];
+  if (key.first.IsCorner())
+  {
+    return skd::ClosePoint(this->CornerAt(key.first.A));
+  }
+  const skd::Segment<3> edge = this->EdgeAt(key.first);
+  if (!key.second.IsInside())
+  {
+    skd::ClosePoint none(edge.A);
+    none.Error = std::numeric_limits<double>::infinity();
+    return none;
+  }
+  const auto [a, b, c] = this->TriangleAt(key.second.A);
+  return skd::CloseCrossingWithPlane(edge.A, edge.B, a, b, c);
+}
+
 skd::ExactPoint SkdContactPoints::GetExact(std::uint32_t point) const
 {
   const Key& key = this->Keys[point];

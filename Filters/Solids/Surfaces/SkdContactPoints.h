@@ -11,6 +11,7 @@
 #ifndef SkdContactPoints_h
 #define SkdContactPoints_h
 
+#include "Core/Geometry/Predicates/ClosePoint.h"
 #include "Core/Geometry/Predicates/ExactPoint.h"
 #include "Core/Geometry/Segment.h"
 #include "Solids/Surfaces/SkdTrianglePairs.h"
@@ -30,6 +31,9 @@ public:
 
   /// The exact position of a point, with the placement's scale: slow.
   skd::ExactPoint GetExact(std::uint32_t point) const;
+
+  /// The same in pairs of doubles; nothing is known of a point where two edges cross.
+  skd::ClosePoint GetClose(std::uint32_t point) const;
 
   /// Whether three points are on one edge of a set by what they are: then they are on a line, as
   /// the exact positions would tell much more slowly.

@@ -38,7 +38,7 @@ public:
     const SkdTriangleSet::Corners& a = this->Set.GetCorners(first);
     const SkdTriangleSet::Corners& b = this->Set.GetCorners(second);
     return this->HasOthersOnOneSide(a, b) || this->HasOthersOnOneSide(b, a) ||
-      this->AreApartAtEdge(a, b);
+      this->IsBeyondAnEdge(a, b) || this->IsBeyondAnEdge(b, a) || this->AreApartAtCorner(a, b);
   }
 
 private:
@@ -85,33 +85,81 @@ private:
     return (volume > doubt) - (volume < -doubt);
   }
 
-  /// Whether triangles with a common edge are on different sides of a plane through it: seen along
-  /// the edge, the angle between them is more than a right one.
-  bool AreApartAtEdge(const Corners& first, const Corners& second) const
+  /// Whether a plane upright on a triangle, through one of its edges, has all of another one beyond
+  /// it but for the ends of the edge: what they have in common is in the plane. That tells
+  /// neighbours in one plane, and those along a common edge with an angle of more than a right one.
+  bool IsBeyondAnEdge(const Corners& of, const Corners& other) const
   {
-    std::size_t apex = 3;
-    std::size_t other = 3;
-    int shared = 0;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const bool isShared = Has(second, first[i]);
-      shared += isShared;
-      apex = isShared ? apex : i;
-      other = Has(first, second[i]) ? other : i;
+      const std::uint32_t from = of[i];
+      const std::uint32_t to = of[(i + 1) % 3];
+      const std::uint32_t apex = of[(i + 2) % 3];
+      const skd::Vector3 edge = this->At(to) - this->At(from);
+      const skd::Vector3 within = this->At(apex) - this->At(from);
+      const bool isBeyond = std::all_of(other.begin(), other.end(),
+        [&](std::uint32_t corner)
+        {
+          return corner == from || corner == to ||
+            (corner != apex && this->IsBeyond(edge, within, this->At(corner) - this->At(from)));
+        });
+      if (isBeyond)
+      {
+        return true;
+      }
     }
-    if (shared != 2 || other == 3)
+    return false;
+  }
+
+  /// Whether a point is beyond an edge, seen upright on the triangle of the edge and another point,
+  /// and stays there.
+  bool IsBeyond(
+    const skd::Vector3& edge, const skd::Vector3& within, const skd::Vector3& point) const
+  {
+    const double a = Norm(within);
+    const double b = Norm(point);
+    const double c = Norm(edge);
+    const double doubt = 4.0 * c * (this->Error * (a * b + b * c + c * a) + Distortion * a * b * c);
+    return Dot(Cross(within, edge), Cross(point, edge)) < -doubt;
+  }
+
+  /// Whether triangles with a common corner are on different sides of a plane through it, upright
+  /// on the difference of the directions in which they are. In one plane they may be opposite each
+  /// other, so that the edges of both are on two lines.
+  bool AreApartAtCorner(const Corners& first, const Corners& second) const
+  {
+    const auto at = std::find_first_of(first.begin(), first.end(), second.begin(), second.end());
+    if (at == first.end())
     {
       return false;
     }
-    const skd::Vector3& from = this->At(first[(apex + 1) % 3]);
-    const skd::Vector3 edge = this->At(first[(apex + 2) % 3]) - from;
-    const skd::Vector3 p = this->At(first[apex]) - from;
-    const skd::Vector3 q = this->At(second[other]) - from;
-    const double a = Norm(p);
-    const double b = Norm(q);
-    const double c = Norm(edge);
-    const double doubt = 4.0 * c * (this->Error * (a * b + b * c + c * a) + Distortion * a * b * c);
-    return Dot(Cross(p, edge), Cross(q, edge)) < -doubt;
+    const skd::Vector3 normal = this->DirectionFrom(*at, first) - this->DirectionFrom(*at, second);
+    return this->IsAbove(*at, normal, first) && this->IsAbove(*at, -1.0 * normal, second);
+  }
+
+  /// The sum of those of the edges from a corner.
+  skd::Vector3 DirectionFrom(std::uint32_t corner, const Corners& of) const
+  {
+    skd::Vector3 sum{};
+    for (const std::uint32_t other : of)
+    {
+      const skd::Vector3 edge = this->At(other) - this->At(corner);
+      const double length = Norm(edge);
+      sum = length > 0.0 ? sum + (1.0 / length) * edge : sum;
+    }
+    return sum;
+  }
+
+  /// Whether all other corners are above a plane through one of them and stay there.
+  bool IsAbove(std::uint32_t corner, const skd::Vector3& normal, const Corners& of) const
+  {
+    return std::all_of(of.begin(), of.end(),
+      [&](std::uint32_t other)
+      {
+        const skd::Vector3 edge = this->At(other) - this->At(corner);
+        const double doubt = 2.0 * Norm(normal) * (this->Error + Distortion * Norm(edge));
+        return other == corner || Dot(edge, normal) > doubt;
+      });
   }
 
   const SkdMovedTriangles& Set;

@@ -18,13 +18,22 @@ void SkdSplitPointData::Gather(
     this->Interpolate(this->NewPoints[point - given], to, arrays, ids);
     return;
   }
-  const auto origins = this->Origins[point];
-  const Origin* at = std::find_if(origins.begin(), origins.end(),
-    [](const Origin& origin) { return origin.Id >= 0; }); // not added by a surface
-  if (at != origins.end())
+  if (const Origin* at = this->FindOrigin(point))
   {
     arrays.Take(to, at->Block, at->Id);
   }
+}
+
+const SkdTriangleSet::Origin* SkdSplitPointData::FindOrigin(std::uint32_t point) const
+{
+  if (point >= this->Set.GetPoints().size())
+  {
+    return nullptr;
+  }
+  const auto origins = this->Origins[point];
+  const Origin* at = std::find_if(origins.begin(), origins.end(),
+    [](const Origin& origin) { return origin.Id >= 0; }); // not added by a surface
+  return at != origins.end() ? at : nullptr;
 }
 
 void SkdSplitPointData::Interpolate(

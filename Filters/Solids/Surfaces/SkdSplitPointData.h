@@ -18,7 +18,7 @@ public:
   SkdSplitPointData(const SkdTriangleSet& set, const std::vector<SkdSplitPoint>& newPoints)
     : Set(set)
     , NewPoints(newPoints)
-    , Origins(set.FindOrigins())
+    , Origins(set.GetOrigins())
   {
   }
 
@@ -28,6 +28,22 @@ public:
   /// space of a thread. Thread-safe for distinct `to`.
   void Gather(std::uint32_t point, vtkIdType to, SkdArrayGather& arrays, vtkIdList* ids) const;
 
+  /// Where the data of a point come from; nullptr of a new point, and of one that no data set has.
+  const SkdTriangleSet::Origin* FindOrigin(std::uint32_t point) const;
+
+  /// Whether they come from a point of a block.
+  bool IsFrom(std::uint32_t point, int block, vtkIdType id) const
+  {
+    if (point >= this->Origins.size())
+    {
+      return false;
+    }
+    const auto origins = this->Origins[point];
+    const SkdTriangleSet::Origin* const origin =
+      origins.size() == 1 && origins[0].Id >= 0 ? &origins[0] : this->FindOrigin(point);
+    return origin && origin->Block == block && origin->Id == id;
+  }
+
 private:
   using Origin = SkdTriangleSet::Origin;
 
@@ -36,7 +52,7 @@ private:
 
   const SkdTriangleSet& Set;
   const std::vector<SkdSplitPoint>& NewPoints;
-  skd::Rows<Origin> Origins; // of each point
+  const skd::Rows<Origin>& Origins; // of each point
 };
 }
 

@@ -145,8 +145,15 @@ int SkdSplitPoints::Orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, in
     return *known;
   }
   const bool areContacts = std::max({ a, b, c }) < this->Contacts.GetNumberOfPoints();
-  return areContacts && this->Contacts.AreOnOneEdge(a, b, c)
-    ? 0
+  if (areContacts && this->Contacts.AreOnOneEdge(a, b, c))
+  {
+    return 0;
+  }
+  const int close = areContacts ? skd::CloseOrient2D(this->Contacts.GetClose(a),
+                                    this->Contacts.GetClose(b), this->Contacts.GetClose(c), axis)
+                                : 0;
+  return close != 0
+    ? close
     : skd::ExactArea(this->GetExact(a), this->GetExact(b), this->GetExact(c), axis).Sign();
 }
 

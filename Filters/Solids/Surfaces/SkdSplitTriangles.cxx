@@ -6,6 +6,7 @@
 #include "Solids/Surfaces/SkdTriangleSplitter.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace skdtree
@@ -64,8 +65,8 @@ private:
   {
     SkdSplitResult result;
     this->NumberPoints(works, result);
-    result.NumberSplit = static_cast<vtkIdType>(std::count_if(
-      works.begin(), works.end(), [](const Work& work) { return work.Pieces.size() > 1; }));
+    result.NumberSplit = std::count_if( // neighbours may have points at corners only
+      works.begin(), works.end(), [](const Work& work) { return work.Pieces.size() > 1; });
     std::size_t count = n - works.size();
     std::for_each(
       works.begin(), works.end(), [&](const Work& work) { count += work.Pieces.size(); });
@@ -109,9 +110,19 @@ private:
   bool HasEdgePoints(std::uint32_t triangle) const
   {
     const Corners& corners = this->Side.Set->GetCorners(triangle);
-    return this->IsOnSplitEdge[corners[0]] + this->IsOnSplitEdge[corners[1]] +
-      this->IsOnSplitEdge[corners[2]] >
-      1;
+    const std::array<bool, 3> isOn{ this->IsOnSplitEdge[corners[0]],
+      this->IsOnSplitEdge[corners[1]], this->IsOnSplitEdge[corners[2]] };
+    return (isOn[0] && isOn[1] && this->IsSplitEdge(corners[0], corners[1])) ||
+      (isOn[1] && isOn[2] && this->IsSplitEdge(corners[1], corners[2])) ||
+      (isOn[2] && isOn[0] && this->IsSplitEdge(corners[2], corners[0]));
+  }
+
+  bool IsSplitEdge(std::uint32_t a, std::uint32_t b) const
+  {
+    return std::binary_search(this->Side.EdgePoints.begin(), this->Side.EdgePoints.end(),
+      SkdSplitEdgePoint{ std::min(a, b), std::max(a, b), 0 },
+      [](const SkdSplitEdgePoint& first, const SkdSplitEdgePoint& second)
+      { return first.From != second.From ? first.From < second.From : first.To < second.To; });
   }
 
   std::vector<Work> ListWorks(std::size_t n) const

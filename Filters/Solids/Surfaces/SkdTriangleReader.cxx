@@ -18,17 +18,6 @@ bool IsFinite(const skd::Vector3& x)
   return 0.0 * x[0] + 0.0 * x[1] + 0.0 * x[2] == 0.0;
 }
 
-double LeastOf(double least, double coordinate)
-{
-  const double magnitude = std::abs(coordinate);
-  return magnitude > 0.0 ? std::min(least, magnitude) : least;
-}
-
-double LeastOf(double least, const skd::Vector3& x)
-{
-  return LeastOf(LeastOf(LeastOf(least, x[0]), x[1]), x[2]);
-}
-
 /// Twice the area of a triangle, seen along the axis where that is largest.
 inline double AreaOf(const SkdReadTriangles& of, const SkdReadTriangles::Corners& ids)
 {
@@ -46,7 +35,7 @@ void SkdReadTriangles::FindExtents()
   for (const skd::Vector3& x : this->Points)
   {
     this->Bounds.Add(x);
-    this->LeastCoordinate = LeastOf(this->LeastCoordinate, x);
+    this->LeastCoordinate = SkdLeastCoordinateOf(this->LeastCoordinate, x);
   }
   for (const Corners& ids : this->Triangles)
   {
@@ -181,7 +170,7 @@ void SkdTriangleReader::ReadPoints(int block, const SkdBlockSurface& surface)
       {
         ids[i] = static_cast<std::uint32_t>(count);
         bounds.Add(x);
-        least = LeastOf(least, x);
+        least = SkdLeastCoordinateOf(least, x);
         this->To.Points[count] = x;
         this->To.Origins[count] = { block, surface.GetPointId(i) };
         ++count;

@@ -13,7 +13,9 @@
 #include "Core/Search/Tree/RawVector.h"
 #include "vtkType.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -43,6 +45,17 @@ struct SkdTrianglePoint
   int Block;
   vtkIdType Id;
 };
+
+/// The least magnitude of a point's coordinates other than 0, and of another one.
+inline double SkdLeastCoordinateOf(double least, const skd::Vector3& x)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double magnitude = std::abs(x[axis]);
+    least = magnitude > 0.0 ? std::min(least, magnitude) : least;
+  }
+  return least;
+}
 
 /// Triangles and the points that they have, these in the order of their data sets. Points of equal
 /// coordinates are not merged.

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace skdtree
 {
@@ -94,6 +95,87 @@ std::optional<SkdTriangleSet> SkdTriangleSet::Moved(
   moved.CellOf.resize(count);
   moved.Triangles.resize(count);
   return SkdTriangleSet(std::move(moved));
+}
+
+//------------------------------------------------------------------------------
+SkdTriangleSet SkdTriangleSet::Subset(
+  const std::vector<std::uint32_t>& triangles, std::vector<std::uint32_t>& points) const
+{
+  SkdTriangleSet some;
+  some.IsRead = true;
+  SkdReadTriangles& to = some.Read;
+  to.Bounds = this->Read.Bounds;
+  to.LeastArea = this->Read.LeastArea;
+  to.LeastCoordinate = this->Read.LeastCoordinate;
+  to.TinyPoints = this->Read.TinyPoints;
+  points.clear();
+  for (const std::uint32_t triangle : triangles)
+  {
+    const Corners& corners = this->Read.Triangles[triangle];
+    points.insert(points.end(), corners.begin(), corners.end());
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  for (const std::uint32_t point : points)
+  {
+    to.Points.push_back(this->Read.Points[point]);
+  }
+  const auto numberOf = [&points](std::uint32_t point)
+  {
+    return static_cast<std::uint32_t>(
+      std::lower_bound(points.begin(), points.end(), point) - points.begin());
+  };
+  std::uint32_t last = 0; // cell
+  for (const std::uint32_t triangle : triangles)
+  {
+    const auto [a, b, c] = this->Read.Triangles[triangle];
+    const std::uint32_t cell = this->Read.CellOf[triangle];
+    if (to.Cells.empty() || cell != last)
+    {
+      to.Cells.push_back(this->Read.Cells[cell]);
+    }
+    last = cell;
+    to.CellOf.push_back(static_cast<std::uint32_t>(to.Cells.size() - 1));
+    to.Triangles.push_back({ numberOf(a), numberOf(b), numberOf(c) });
+  }
+  return some;
+}
+
+//------------------------------------------------------------------------------
+bool SkdTriangleSet::PlacePoints(std::uint32_t first, const PointList& from,
+  const skd::RigidMotion& motion, const Extents& extents, skd::Box3& bounds)
+{
+  skd::Box3 box;
+  double least = extents.LeastCoordinate;
+  bool areFinite = true;
+  for (std::size_t i = 0; i < from.size(); ++i)
+  {
+    const skd::Vector3 point = motion.Forward(from[i]);
+    this->Read.Points[first + i] = point;
+    box.Add(point);
+    least = SkdLeastCoordinateOf(least, point);
+    areFinite = areFinite && skd::IsFinite(point);
+  }
+  bounds = box;
+  box.Add(extents.Bounds.Min);
+  box.Add(extents.Bounds.Max);
+  this->Read.Bounds = extents.Bounds.IsEmpty() ? bounds : box;
+  this->Read.LeastCoordinate = least;
+  this->Read.LeastArea = extents.LeastArea;
+  return areFinite;
+}
+
+//------------------------------------------------------------------------------
+SkdTriangleSet::Extents SkdTriangleSet::FindExtents(std::uint32_t end) const
+{
+  Extents extents{ {}, std::numeric_limits<double>::infinity(), this->Read.LeastArea };
+  for (std::uint32_t point = 0; point < end; ++point)
+  {
+    extents.Bounds.Add(this->Read.Points[point]);
+    extents.LeastCoordinate =
+      SkdLeastCoordinateOf(extents.LeastCoordinate, this->Read.Points[point]);
+  }
+  return extents;
 }
 
 //------------------------------------------------------------------------------
@@ -206,8 +288,12 @@ void SkdTriangleSet::MakeCornersOne(const std::vector<std::uint32_t>& triangles)
 }
 
 //------------------------------------------------------------------------------
-skd::Rows<SkdTriangleSet::Origin> SkdTriangleSet::FindOrigins() const
+const skd::Rows<SkdTriangleSet::Origin>& SkdTriangleSet::GetOrigins() const
 {
+  if (this->Origins.size() == this->Read.Points.size())
+  {
+    return this->Origins;
+  }
   skd::Rows<Origin> origins(this->Read.Points.size(),
     [this](const auto& add)
     {
@@ -217,7 +303,8 @@ skd::Rows<SkdTriangleSet::Origin> SkdTriangleSet::FindOrigins() const
       }
     });
   origins.SortEach([](std::size_t n, const auto& body) { SkdForEach(n, body); });
-  return origins;
+  this->Origins = std::move(origins);
+  return this->Origins;
 }
 
 //------------------------------------------------------------------------------

@@ -66,6 +66,27 @@ public:
   /// points are no longer finite. O(n).
   std::optional<SkdTriangleSet> Moved(int firstBlock, const skd::RigidMotion& motion) const;
 
+  /// Some triangles, ascending, as a set of their own, with the points that they have in the same
+  /// order (`points`: in this set) and the extents of all: placements and thresholds are the same,
+  /// and so is what depends on the order of triangles and points. O(n log n) for n of them.
+  SkdTriangleSet Subset(
+    const std::vector<std::uint32_t>& triangles, std::vector<std::uint32_t>& points) const;
+
+  /// What depends on where points are.
+  struct Extents
+  {
+    skd::Box3 Bounds;
+    double LeastCoordinate; ///< other than 0
+    double LeastArea;       ///< see SkdReadTriangles
+  };
+
+  /// Moves the points from one on, merged ones, to where a motion takes others, and finds their
+  /// bounds. `extents` are those of the points before, and a bound of all areas. Returns whether
+  /// all are finite. O(n).
+  bool PlacePoints(std::uint32_t first, const PointList& from, const skd::RigidMotion& motion,
+    const Extents& extents, skd::Box3& bounds);
+  Extents FindExtents(std::uint32_t end) const; ///< of the points before one, and all areas
+
   /// The deviation as a length; 0 if no cell is curved.
   double GetChordalLength() const { return this->ChordalLength; }
 
@@ -107,6 +128,12 @@ public:
   std::uint32_t GetPointOf(std::uint32_t read) const { return this->PointOf[read]; }
   const std::vector<std::uint32_t>& GetMerging() const { return this->PointOf; } ///< of all
 
+  /// Whether a point that was read is of a block, or of one after it.
+  bool IsOfBlocksFrom(std::uint32_t read, int block) const
+  {
+    return this->Read.Origins[read].Block >= block;
+  }
+
   const PointList& GetPoints() const { return this->Read.Points; }
   const TriangleList& GetTriangles() const { return this->Read.Triangles; }
   /// Of those that are searched. The set must be complete.
@@ -131,9 +158,9 @@ public:
     }
   };
 
-  /// The origins of each point of a complete set: all points merged into it, ascending. O(n), as
-  /// most points have one origin.
-  skd::Rows<Origin> FindOrigins() const;
+  /// The origins of each point of a complete set: all points merged into it, ascending. O(n) at the
+  /// first call, as most points have one origin; they are kept. Not thread-safe.
+  const skd::Rows<Origin>& GetOrigins() const;
 
   /// Faces that have points that are not finite, or fewer than three different ones.
   vtkIdType GetNumberOfFacesLeftOut() const { return this->Read.LeftOut; }
@@ -164,6 +191,7 @@ private:
   bool AreCopiesKnown = false;
   std::vector<SkdDuplicate> Copies;             // that are not searched
   std::vector<std::uint32_t> Searched;          // the others, if there are copies
+  mutable skd::Rows<Origin> Origins;            // of each point, once they are asked for
   std::unique_ptr<const skd::LazyTree<3>> Tree; // of a complete set
 };
 }

@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Boolean/SkdNearArrangement.h"
+
+#include "Pipeline/SkdLoop.h"
+#include "Solids/Boolean/SkdJoinPieces.h"
+#include "Solids/Boolean/SkdNearSides.h"
+#include "Solids/Boolean/SkdSlivers.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace skdtree
+{
+namespace
+{
+constexpr double Progress = 0.2; // if all must be arranged, that goes on from there
+constexpr double DoneProgress = 0.8;
+}
+
+std::unique_ptr<SkdNearArrangement> SkdNearArrangement::Make(
+  const SkdRigidPair& pair, const SkdPlacement& placement, vtkAlgorithm* filter)
+{
+  std::unique_ptr<SkdNearArrangement> near(new SkdNearArrangement(pair, placement));
+  if (!near->Arrange(filter))
+  {
+    return nullptr;
+  }
+  filter->UpdateProgress(DoneProgress);
+  return SkdIsAborted(filter) ? nullptr : std::move(near);
+}
+
+bool SkdNearArrangement::Arrange(vtkAlgorithm* filter)
+{
+  SkdRigidPair::Near near = this->Pair.FindNear();
+  this->Triangles = std::move(near.Triangles);
+  if (2 * this->Triangles.size() > this->Pair.GetSet().GetTriangles().size())
+  {
+    return false; // it does not pay
+  }
+  this->Set = this->Pair.GetSet().Subset(this->Triangles, this->Points);
+  this->Set.LeaveOutCopies(1);
+  if (this->Set.GetPoints().size() != this->Points.size())
+  {
+    return false; // points of both surfaces are one
+  }
+  this->Placement.emplace(SkdMakePlacement(this->Set, nullptr, std::nullopt));
+  const auto numberOf = [this](std::uint32_t triangle)
+  {
+    return static_cast<std::uint32_t>(
+      std::lower_bound(this->Triangles.begin(), this->Triangles.end(), triangle) -
+      this->Triangles.begin());
+  };
+  for (auto& [first, second] : near.Pairs)
+  {
+    first = numberOf(first);
+    second = numberOf(second);
+  }
+  SkdLoop loop(filter, 0, Progress, Progress, 8);
+  const auto pairs =
+    SkdTrianglePairs(*this->Placement).FindByPackedRTree({}, SkdPairSearch(), loop, near.Pairs);
+  if (!pairs || SkdIsAborted(filter) ||
+    std::any_of(pairs->begin(), pairs->end(),
+      [](const SkdTrianglePair& pair) { return pair.Contact.Count > 2; }))
+  {
+    return false;
+  }
+  SkdLoop splitLoop(filter, 0, Progress, Progress, 64);
+  auto part = SkdArrangePart(*this->Placement, *pairs, splitLoop);
+  if (!part)
+  {
+    return false;
+  }
+  this->Part = *std::move(part);
+  const SkdFacets& facets = this->Part.Facets;
+  if (!SkdFindEqualPoints(*this->Placement, facets).empty() ||
+    SkdHaveSlivers(*this->Placement, facets, SkdFacetSigns(facets.GetNumberOfFacets(), 1)))
+  {
+    return false; // what rounding makes of these may concern others
+  }
+  auto sides = SkdFindNearSides(this->Pair, this->Whole, this->Triangles, this->Points, this->Part);
+  if (!sides)
+  {
+    return false;
+  }
+  this->OtherAt = std::move(sides->OfFacets);
+  this->OtherOf = std::move(sides->OfTriangles);
+  return true;
+}
+
+/// Of a facet that the other surface winds around so often.
+signed char SkdNearArrangement::SignOf(
+  const SkdBooleanRule& rule, std::uint32_t number, int other) const
+{
+  const SkdRigidPair::Component& component = this->Pair.GetComponents()[number];
+  const auto isSolid = [&](int own)
+  {
+    SkdRegionWindings windings;
+    for (const std::uint32_t surface : { 0u, 1u })
+    {
+      const int winding = (surface == 1) == component.IsOfSource ? own : other;
+      if (winding != 0)
+      {
+        windings.push_back({ surface, winding });
+      }
+    }
+    return rule.IsSolid(windings);
+  };
+  return static_cast<signed char>(isSolid(component.InFront + 1) - isSolid(component.InFront));
+}
+
+/// Consecutive triangles are mostly of one component and on one side of the other surface, or of
+/// two in turn.
+class SkdNearArrangement::SignCache
+{
+public:
+  SignCache(const SkdNearArrangement& near, const SkdBooleanRule& rule)
+    : Near(near)
+    , Rule(rule)
+  {
+  }
+
+  signed char Get(std::uint32_t component, int other)
+  {
+    Entry& entry = this->Last[static_cast<unsigned>(other) % this->Last.size()];
+    if (entry.Component != component || entry.Other != other)
+    {
+      entry = { component, other, this->Near.SignOf(this->Rule, component, other) };
+    }
+    return entry.Sign;
+  }
+
+private:
+  struct Entry
+  {
+    std::uint32_t Component = SkdRigidPair::None;
+    int Other = 0;
+    signed char Sign = 0;
+  };
+
+  const SkdNearArrangement& Near;
+  const SkdBooleanRule& Rule;
+  std::array<Entry, 4> Last;
+};
+
+SkdFacetSigns SkdNearArrangement::FindSigns(const SkdBooleanRule& rule) const
+{
+  SkdFacetSigns signs(this->OtherAt.size());
+  SignCache cache(*this, rule);
+  for (std::uint32_t facet = 0; facet < signs.size(); ++facet)
+  {
+    const std::uint32_t triangle = this->Triangles[this->Part.Facets.Parents[facet]];
+    signs[facet] = cache.Get(this->Pair.GetComponentOf(triangle), this->OtherAt[facet]);
+  }
+  return signs;
+}
+
+/// Edges at the border of the part are between two facets on one side of the other surface.
+SkdBadEdges SkdNearArrangement::FindBadEdges(const SkdFacetSigns& signs) const
+{
+  SkdBadEdges bad;
+  this->Part.Facets.Edges.ForEach(
+    [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
+    {
+      int sum = 0;
+      int count = 0;
+      for (const SkdEdgeUse* use = first; use != last; ++use)
+      {
+        sum += use->IsForward ? signs[use->Triangle] : -signs[use->Triangle];
+        count += signs[use->Triangle] != 0;
+      }
+      if (sum != 0 && last - first > 1)
+      {
+        bad.First = bad.Count++ == 0
+          ? SkdSplitEdge{ this->PointOf(low), this->PointOf(first->High) }
+          : bad.First;
+        bad.Open += count == 1;
+      }
+    });
+  return bad;
+}
+
+std::uint32_t SkdNearArrangement::PointOf(std::uint32_t point) const
+{
+  const auto given = static_cast<std::uint32_t>(this->Points.size());
+  const auto ofWhole = static_cast<std::uint32_t>(this->Pair.GetSet().GetPoints().size());
+  return point < given ? this->Points[point] : point - given + ofWhole;
+}
+
+/// The facets of a boundary by those of the part, and what they enclose.
+SkdNearBoundary SkdNearArrangement::Merge(
+  const SkdFacets& facets, const SkdFacetSigns& signs, const SkdBooleanRule& rule) const
+{
+  SkdNearBoundary merged;
+  const auto n = static_cast<std::uint32_t>(this->Pair.GetSet().GetTriangles().size());
+  merged.Facets.Facets.Corners.resize(n + facets.GetNumberOfFacets());
+  merged.Facets.Facets.Parents.resize(n + facets.GetNumberOfFacets());
+  merged.Facets.Signs.resize(n + facets.GetNumberOfFacets());
+  SignCache cache(*this, rule);
+  std::array<SkdAreaSum, 2> sums; // of each surface
+  std::uint32_t next = 0;         // triangle
+  std::uint32_t facet = 0;
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < this->Triangles.size(); ++i)
+  {
+    this->AddWhole(next, this->Triangles[i], cache, merged.Facets, count, sums);
+    next = this->Triangles[i] + 1;
+    for (; facet < signs.size() && facets.Parents[facet] == i; ++facet)
+    {
+      const auto [a, b, c] = facets.Corners[facet];
+      merged.Facets.Facets.Corners[count] = { this->PointOf(a), this->PointOf(b),
+        this->PointOf(c) };
+      merged.Facets.Facets.Parents[count] = this->Triangles[i];
+      merged.Facets.Signs[count++] = signs[facet];
+    }
+  }
+  this->AddWhole(next, n, cache, merged.Facets, count, sums);
+  merged.Facets.Facets.Corners.resize(count);
+  merged.Facets.Facets.Parents.resize(count);
+  merged.Facets.Signs.resize(count);
+  merged.Facets.Facets.NewPoints = this->PointsOfWhole(facets.NewPoints);
+  merged.Measures = this->Measure(facets, signs, sums);
+  return merged;
+}
+
+/// Adds consecutive triangles that are not in the part.
+void SkdNearArrangement::AddWhole(std::uint32_t first, std::uint32_t end, SignCache& cache,
+  SkdRoundedFacets& to, std::size_t& count, std::array<SkdAreaSum, 2>& sums) const
+{
+  const auto* const all = this->Pair.GetSet().GetTriangles().data();
+  SkdTriangleSet::Corners* const corners = to.Facets.Corners.data();
+  std::uint32_t* const parents = to.Facets.Parents.data();
+  signed char* const signs = to.Signs.data();
+  const int* const others = this->OtherOf.data();
+  for (std::uint32_t begin = first; begin < end;)
+  {
+    const std::uint32_t component = this->Pair.GetComponentOf(begin);
+    const int other = others[begin];
+    std::uint32_t last = begin + 1;
+    while (last < end && others[last] == other && this->Pair.GetComponentOf(last) == component)
+    {
+      ++last;
+    }
+    const signed char sign = cache.Get(component, other);
+    if (sign != 0)
+    {
+      std::copy(all + begin, all + last, corners + count);
+      std::iota(parents + count, parents + count + (last - begin), begin);
+      std::fill(signs + count, signs + count + (last - begin), sign);
+      count += last - begin;
+      sums[this->Pair.IsOfSource(begin)].Add(this->Pair.SumAreas(begin, last), sign);
+    }
+    begin = last;
+  }
+}
+
+std::vector<SkdSplitPoint> SkdNearArrangement::PointsOfWhole(
+  std::vector<SkdSplitPoint> points) const
+{
+  for (SkdSplitPoint& point : points)
+  {
+    point.Parent = this->Triangles[point.Parent];
+    for (std::uint32_t& corner : point.Corners)
+    {
+      corner = this->Points[corner];
+    }
+  }
+  return points;
+}
+
+/// Of facets of the part, and others that are summed up.
+SkdBoundaryMeasures SkdNearArrangement::Measure(const SkdFacets& facets, const SkdFacetSigns& signs,
+  const std::array<SkdAreaSum, 2>& others) const
+{
+  if (this->Pair.GetSet().GetPoints().empty())
+  {
+    return {};
+  }
+  SkdAreaSum sum = this->Pair.Place(others[0], false);
+  sum.Add(this->Pair.Place(others[1], true), 1);
+  const skd::Vector3 origin = this->Pair.GetSet().GetPoints()[0];
+  for (std::uint32_t facet = 0; facet < signs.size(); ++facet)
+  {
+    if (signs[facet] != 0)
+    {
+      sum.Add(
+        SkdAreaSum(facets.GetPositions(this->Placement->First, facet), origin, 1), signs[facet]);
+    }
+  }
+  return { sum.Height / 6.0, sum.Size / 2.0 };
+}
+
+// Slivers among joined pieces may be taken out with triangles beside them, which are not in the
+// part: then all of the boundary is joined.
+SkdNearBoundary SkdNearArrangement::Select(
+  const SkdBooleanRule& rule, bool joins, SkdFaceSets& faces) const
+{
+  const SkdFacets& facets = this->Part.Facets;
+  const SkdFacetSigns signs = this->FindSigns(rule);
+  const SkdFaceSets before = faces;
+  std::optional<SkdRoundedFacets> joined;
+  if (joins)
+  {
+    std::vector<std::uint32_t> origins;
+    for (const std::uint32_t triangle : this->Triangles)
+    {
+      origins.push_back(2 * triangle);
+    }
+    joined = SkdJoinPieces(*this->Placement, facets, signs, origins, faces);
+  }
+  const bool mayConcernOthers = joined &&
+    (joined->NumberFolded > 0 || SkdHaveSlivers(*this->Placement, joined->Facets, joined->Signs));
+  SkdNearBoundary boundary = joined && !mayConcernOthers
+    ? this->Merge(joined->Facets, joined->Signs, rule)
+    : this->Merge(facets, signs, rule);
+  if (mayConcernOthers)
+  {
+    faces = before;
+    auto all = SkdJoinPieces(this->Whole, boundary.Facets.Facets, boundary.Facets.Signs, {}, faces);
+    if (all)
+    {
+      boundary.Facets = *std::move(all);
+      boundary.Facets.NumberFolded = 0; // as of joined pieces in any case
+    }
+  }
+  boundary.Bad = this->FindBadEdges(signs);
+  return boundary;
+}
+}
