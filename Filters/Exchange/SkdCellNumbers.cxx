@@ -30,11 +30,11 @@ class CellNumbering
 {
 public:
   CellNumbering(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
-    const std::vector<unsigned char>& isShared, SkdPieceNumbers& numbers)
+    const std::vector<vtkIdType>& likes, SkdPieceNumbers& numbers)
     : Transport(transport)
     , Piece(piece)
     , Reader(piece)
-    , IsShared(isShared)
+    , Likes(likes)
     , Numbers(numbers)
     , Surface(facts.AreSurfaces() ? vtkPolyData::SafeDownCast(piece) : nullptr)
     , GlobalIds(facts.HaveCellIds() ? piece->GetCellData()->GetGlobalIds() : nullptr)
@@ -70,7 +70,7 @@ private:
     }
   }
 
-  /// Whether all points of a cell are in several pieces; `points` gets their joined ids.
+  /// Whether points like all of a cell's are in several pieces; `points` gets their numbers.
   bool MayBeRepeated(vtkIdType cell, std::vector<vtkIdType>& points, vtkIdList* list) const
   {
     bool may = true;
@@ -80,8 +80,8 @@ private:
       {
         for (std::size_t i = 0; i < size && may; ++i)
         {
-          may = this->IsShared[static_cast<std::size_t>(ids[i])] != 0;
-          points.push_back(this->Numbers.PointIds[static_cast<std::size_t>(ids[i])]);
+          points.push_back(this->Likes[static_cast<std::size_t>(ids[i])]);
+          may = points.back() >= 0;
         }
       });
     return may;
@@ -266,7 +266,7 @@ private:
   SkdTransport& Transport;
   vtkDataSet* Piece;
   SkdCellReader Reader;
-  const std::vector<unsigned char>& IsShared;
+  const std::vector<vtkIdType>& Likes;
   SkdPieceNumbers& Numbers;
   vtkPolyData* Surface;
   vtkDataArray* GlobalIds;
@@ -276,8 +276,8 @@ private:
 }
 
 void SkdNumberCells(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
-  const std::vector<unsigned char>& isShared, SkdPieceNumbers& numbers)
+  const std::vector<vtkIdType>& likes, SkdPieceNumbers& numbers)
 {
-  CellNumbering(transport, piece, facts, isShared, numbers).Number();
+  CellNumbering(transport, piece, facts, likes, numbers).Number();
 }
 }

@@ -150,6 +150,9 @@ void CellJoin::AddCellsOf(int piece)
 
 bool CellJoin::IsOfEarlier(const SkdPieceCell& cell, vtkIdList* ids)
 {
+  // Of points that coincide a piece may have others than another one, but not other coordinates.
+  std::transform(ids->begin(), ids->end(), ids->begin(),
+    [this](vtkIdType id) { return this->Points.FirstLike(id); });
   const bool mayBe = std::all_of(
     ids->begin(), ids->end(), [this](vtkIdType id) { return this->Points.IsShared(id); });
   if (!mayBe)

@@ -200,9 +200,9 @@ SkdPieceNumbers SkdNumberPiece(SkdTransport& transport, vtkDataSet* piece, const
   }
   else if (!facts.GetFull().empty())
   {
-    std::vector<unsigned char> isShared;
-    SkdNumberPoints(transport, piece, facts, numbers, isShared);
-    SkdNumberCells(transport, piece, facts, isShared, numbers);
+    std::vector<vtkIdType> likes;
+    SkdNumberPoints(transport, piece, facts, numbers, likes);
+    SkdNumberCells(transport, piece, facts, likes, numbers);
   }
   return numbers;
 }

@@ -62,13 +62,14 @@ void SkdNumberGrid(
   SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts, SkdPieceNumbers& numbers);
 
 /// Points by their global ids or coordinates.
-/// `isShared` gets whether several pieces have each.
+/// `likes` gets a number for each that is the same for points of all pieces at its coordinates, or
+/// with its global id; -1 if no other piece has such.
 void SkdNumberPoints(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
-  SkdPieceNumbers& numbers, std::vector<unsigned char>& isShared);
+  SkdPieceNumbers& numbers, std::vector<vtkIdType>& likes);
 
 /// Cells by their points, which are numbered, or global ids.
 void SkdNumberCells(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
-  const std::vector<unsigned char>& isShared, SkdPieceNumbers& numbers);
+  const std::vector<vtkIdType>& likes, SkdPieceNumbers& numbers);
 
 /// That of the first process that has found one.
 SkdRepeatedId SkdFirstRepeatedId(SkdTransport& transport, const SkdRepeatedId& own);

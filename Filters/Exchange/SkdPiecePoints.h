@@ -32,6 +32,9 @@ public:
     return id >= 0 ? id : this->Add(piece, point);
   }
 
+  /// The first joined point that may be the same: at the same coordinates, or with its global id.
+  vtkIdType FirstLike(vtkIdType id) const { return this->Join.FirstLike(id); }
+
   /// Whether several pieces have a joined point.
   bool IsShared(vtkIdType id) const { return this->Join.IsShared(id); }
 

@@ -39,11 +39,15 @@ public:
       (isFirst ? joined.First : this->Next[static_cast<std::size_t>(joined.Last)]) = id;
       this->Shared.push_back(0);
       this->Next.push_back(-1);
+      this->Firsts.push_back(joined.First);
     }
     joined.Last = id;
     joined.Piece = piece;
     return id;
   }
+
+  /// The first joined point with the same key.
+  vtkIdType FirstLike(vtkIdType id) const { return this->Firsts[static_cast<std::size_t>(id)]; }
 
   /// Whether several pieces have a joined point.
   bool IsShared(vtkIdType id) const { return this->Shared[static_cast<std::size_t>(id)] != 0; }
@@ -60,6 +64,7 @@ private:
   std::vector<JoinedPoints> Joined;  // by key
   std::vector<vtkIdType> Next;       // the next joined point with the same key, or -1
   std::vector<unsigned char> Shared; // by joined point
+  std::vector<vtkIdType> Firsts;     // the same: the first one with the same key
 };
 }
 

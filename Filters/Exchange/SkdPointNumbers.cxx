@@ -40,7 +40,7 @@ struct PointAnswer
 {
   SkdPointOrigin Numbered; // by whom
   SkdPointOrigin Data;
-  bool IsShared;
+  SkdPointOrigin FirstLike; // see SkdPieceNumbers; a process of -1: no other piece has such
 };
 
 using Questions = SkdRowsByProcess<PointQuestion>;
@@ -120,7 +120,7 @@ public:
       for (const vtkIdType id : this->Ids[piece])
       {
         answers[piece].push_back(
-          id < 0 ? PointAnswer{ { -1, -1 }, { -1, -1 }, false } : this->AnswerOf(id));
+          id < 0 ? PointAnswer{ { -1, -1 }, { -1, -1 }, { -1, -1 } } : this->AnswerOf(id));
       }
     }
     return answers;
@@ -130,7 +130,10 @@ private:
   PointAnswer AnswerOf(vtkIdType id) const
   {
     const Origin& origin = this->Origins[static_cast<std::size_t>(id)];
-    return { origin.Numbered, origin.Data, this->Join.IsShared(id) };
+    const vtkIdType first = this->Join.FirstLike(id);
+    return { origin.Numbered, origin.Data,
+      this->Join.IsShared(first) ? this->Origins[static_cast<std::size_t>(first)].Numbered
+                                 : SkdPointOrigin{ -1, -1 } };
   }
 
   void AddOwn(std::size_t piece)
@@ -268,7 +271,7 @@ public:
     this->FindOrders();
   }
 
-  void Number(SkdPieceNumbers& numbers, std::vector<unsigned char>& isShared)
+  void Number(SkdPieceNumbers& numbers, std::vector<vtkIdType>& likes)
   {
     const bool byIds = this->Facts.HavePointIds();
     const SkdRounding rounding = this->Facts.GetRounding();
@@ -283,8 +286,8 @@ public:
           : FindKeysByCoordinates(queries, rounding, keys);
         return PointDirectory(queries, keys, number).GetAnswers();
       });
-    isShared.assign(this->Orders.size(), 0);
-    this->TakeOrigins(answers, numbers.PointOrigins, isShared);
+    likes.assign(this->Orders.size(), -1);
+    this->TakeOrigins(answers, numbers.PointOrigins, likes);
     this->NumberOwn(numbers);
     this->AskForOthers(numbers);
     numbers.Repeated = byIds ? SkdFirstRepeatedId(this->Transport, repeated) : repeated;
@@ -425,8 +428,8 @@ private:
     }
   }
 
-  void TakeOrigins(const Answers& answers, std::vector<SkdPointOrigin>& origins,
-    std::vector<unsigned char>& isShared)
+  void TakeOrigins(
+    const Answers& answers, std::vector<SkdPointOrigin>& origins, std::vector<vtkIdType>& likes)
   {
     origins.reserve(this->Orders.size());
     for (std::size_t point = 0; point < this->Orders.size(); ++point)
@@ -446,7 +449,9 @@ private:
           const auto point = static_cast<std::size_t>(this->QueriedPoints[to][i]);
           this->Numbered[point] = answers[to][i].Numbered;
           origins[point] = answers[to][i].Data;
-          isShared[point] = answers[to][i].IsShared ? 1 : 0;
+          const SkdPointOrigin& first = answers[to][i].FirstLike;
+          likes[point] =
+            first.Process < 0 ? -1 : first.Point * this->Transport.GetNumber() + first.Process;
         }
       }
     }
@@ -532,8 +537,8 @@ private:
 }
 
 void SkdNumberPoints(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
-  SkdPieceNumbers& numbers, std::vector<unsigned char>& isShared)
+  SkdPieceNumbers& numbers, std::vector<vtkIdType>& likes)
 {
-  PointNumbering(transport, piece, facts).Number(numbers, isShared);
+  PointNumbering(transport, piece, facts).Number(numbers, likes);
 }
 }

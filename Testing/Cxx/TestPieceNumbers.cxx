@@ -415,6 +415,29 @@ TEST(PieceNumbersRepeated, CellsOfSharedPoints)
   ExpectRepeated(doubled, "cell 2 of process 0 and cell 6 of process 1 have the global id 4.");
 }
 
+/// Triangles around a point, each with points of its own, as files of triangles have them.
+Mesh TrianglesApart(int first, int last)
+{
+  Mesh mesh;
+  const auto around = [](int i) { return Point{ std::cos(i), std::sin(i), 0.1 * i }; };
+  for (int i = first; i < last; ++i)
+  {
+    const vtkIdType center = mesh.Add(Point{ 0.0, 0.0, 0.0 });
+    const vtkIdType from = mesh.Add(around(i));
+    mesh.Add(VTK_TRIANGLE, { center, from, mesh.Add(around(i + 1)) });
+  }
+  return mesh;
+}
+
+// Pieces that have only some of the cells at a place have as many points there.
+TEST(PieceNumbersRepeated, CellsOfPointsOfTheirOwn)
+{
+  const Pieces pieces{ MakeGrid(TrianglesApart(0, 4)), MakeGrid(TrianglesApart(2, 6)),
+    MakeGrid(TrianglesApart(3, 5)) };
+  ExpectNumbersOfJoined(pieces);
+  EXPECT_EQ(NumbersOf(pieces)[0].NumberOfCells, 6);
+}
+
 //------------------------------------------------------------------------------
 template <class Grid>
 void ExpectNumbersOfGrid(vtkSmartPointer<Grid> grid)
