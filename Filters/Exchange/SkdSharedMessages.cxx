@@ -24,6 +24,9 @@ namespace
 /// Before observers of others, who get a message when it is said.
 constexpr float First = std::numeric_limits<float>::max();
 
+/// How warnings begin that are of no interest if another process has what this one lacks.
+constexpr const char* OfPieces = "Input has no ";
+
 vtkMultiProcessController* ControllerOf(vtkInformationVector* outputs)
 {
   vtkMultiProcessController* controller = nullptr;
@@ -75,7 +78,7 @@ SkdSharedMessages::SkdSharedMessages(vtkAlgorithm* filter, vtkInformationVector*
 SkdSharedMessages::~SkdSharedMessages()
 {
   this->StopKeeping();
-  for (const Message& message : this->Kept)
+  for (const Message& message : this->Waiting)
   {
     this->Say(message);
   }
@@ -106,7 +109,7 @@ bool SkdSharedMessages::Keep(vtkObject*, unsigned long event, void* given)
   TakeUntil("): ", text);
   text.erase(text.find_last_not_of('\n') + 1);
   message.Text = text;
-  this->Kept.push_back(message);
+  this->Waiting.push_back(message);
   return true;
 }
 
@@ -172,7 +175,7 @@ SkdSharedMessages::Messages SkdSharedMessages::Unpack(const std::string& packed)
 std::vector<SkdSharedMessages::Messages> SkdSharedMessages::Gather() const
 {
   const auto count = static_cast<std::size_t>(this->Controller->GetNumberOfProcesses());
-  const std::string own = Pack(this->Kept);
+  const std::string own = Pack(this->Waiting);
   const auto length = static_cast<vtkIdType>(own.size());
   std::vector<vtkIdType> lengths(count);
   this->Controller->AllGather(&length, lengths.data(), 1);
@@ -209,11 +212,14 @@ std::vector<SkdSharedMessages::Speaker> SkdSharedMessages::FindSpeakers(
       const auto [at, isNew] = byKey.insert({ itsKey, speakers.size() });
       if (isNew)
       {
-        speakers.push_back({ process, message, {} });
+        speakers.push_back({ process, message, {}, 1 });
+        continue;
       }
-      else if (message.Text != speakers[at->second].Said.Text)
+      Speaker& speaker = speakers[at->second];
+      ++speaker.Processes;
+      if (message.Text != speaker.Said.Text)
       {
-        speakers[at->second].Others.push_back(process);
+        speaker.Others.push_back(process);
       }
     }
   }
@@ -228,15 +234,17 @@ SkdSharedMessages::Outcome SkdSharedMessages::SayOnce()
     return outcome;
   }
   this->StopKeeping();
-  outcome.IsErrorHere = std::any_of(
-    this->Kept.begin(), this->Kept.end(), [](const Message& message) { return message.IsError; });
+  outcome.IsErrorHere = std::any_of(this->Waiting.begin(), this->Waiting.end(),
+    [](const Message& message) { return message.IsError; });
   const std::vector<Speaker> speakers = FindSpeakers(this->Gather());
-  this->Kept.clear();
+  this->Waiting.clear();
   const auto own = static_cast<std::size_t>(this->Controller->GetLocalProcessId());
+  const auto processes = static_cast<std::size_t>(this->Controller->GetNumberOfProcesses());
   for (const Speaker& speaker : speakers)
   {
     outcome.IsErrorAnywhere = outcome.IsErrorAnywhere || speaker.Said.IsError;
-    if (speaker.Process == own)
+    const bool isOfPiece = !speaker.Said.IsError && speaker.Said.Text.rfind(OfPieces, 0) == 0;
+    if (speaker.Process == own && (!isOfPiece || speaker.Processes == processes))
     {
       Message message = speaker.Said;
       if (!speaker.Others.empty())

@@ -43,6 +43,8 @@ public:
   /// All processes must call it together: each message is said by the first process that has it.
   /// Those that differ in numbers, and what follows these, are one, which says that other processes
   /// have the like.
+  /// Warnings of what "Input has no ..." are said if all have them: the pieces of some may be
+  /// empty.
   Outcome SayOnce();
 
 private:
@@ -59,6 +61,7 @@ private:
     std::size_t Process;
     Message Said;
     std::vector<std::size_t> Others; // which have it with other numbers
+    std::size_t Processes;           // which have it
   };
 
   bool Keep(vtkObject* filter, unsigned long event, void* text);
@@ -74,7 +77,7 @@ private:
   vtkAlgorithm* Filter;
   vtkMultiProcessController* Controller;
   unsigned long Observers[2] = { 0, 0 };
-  Messages Kept;
+  Messages Waiting;
 };
 }
 
