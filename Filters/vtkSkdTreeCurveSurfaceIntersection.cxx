@@ -5,6 +5,7 @@
 #include "Curves/SkdCutCurves.h"
 #include "Curves/SkdSurfaceHitArrays.h"
 #include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdPrint.h"
@@ -13,10 +14,19 @@
 #include "Pipeline/SkdSetText.h"
 #include "Search/InOut/SkdPartList.h"
 #include "vtkCellData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 using namespace skdtree;
 
@@ -79,6 +89,74 @@ void CountHits(const SkdSurfaceHitTable& table, vtkDataObject* input, vtkDataObj
   }
 }
 
+/// Of each block of curves, whether this process lists each cell; nothing: it does.
+using Listed = std::vector<std::vector<unsigned char>>;
+
+bool IsListed(const Listed& listed, int block, vtkIdType cell)
+{
+  const auto at = static_cast<std::size_t>(block);
+  return listed.empty() || listed[at].empty() || listed[at][static_cast<std::size_t>(cell)] != 0;
+}
+
+/// By block that has cells, as curves are read.
+Listed OfBlocksWithCells(Listed all, vtkDataObject* input)
+{
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(input);
+  Listed listed;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (blocks[i].Mesh->GetNumberOfCells() > 0)
+    {
+      listed.push_back(std::move(all[i]));
+    }
+  }
+  return listed;
+}
+
+void KeepListed(const Listed& listed, SkdSurfaceHitTable& table)
+{
+  const auto isOther = [&](const SkdSurfaceIntersection& intersection)
+  {
+    const SkdCurve& curve = table.Curves.GetCurves()[intersection.Hit.Curve];
+    return !IsListed(listed, curve.Block, curve.CellId);
+  };
+  table.Intersections.erase(
+    std::remove_if(table.Intersections.begin(), table.Intersections.end(), isOther),
+    table.Intersections.end());
+}
+
+/// Of curves that were cut.
+void KeepListed(const Listed& listed, const std::vector<SkdCurve>& curves, vtkPolyData* output)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetCellData()->GetArray("SkdCurveId"));
+  vtkNew<vtkIdList> kept;
+  for (vtkIdType cell = 0; ids && cell < output->GetNumberOfCells(); ++cell)
+  {
+    const SkdCurve& curve = curves[static_cast<std::size_t>(ids->GetValue(cell))];
+    if (IsListed(listed, curve.Block, curve.CellId))
+    {
+      kept->InsertNextId(cell);
+    }
+  }
+  if (!ids || kept->GetNumberOfIds() == output->GetNumberOfCells())
+  {
+    return;
+  }
+  vtkNew<vtkPolyData> all;
+  all->ShallowCopy(output);
+  all->BuildCells();
+  output->Initialize();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(all->GetPoints()->GetDataType());
+  output->SetPoints(points);
+  output->AllocateProportional(all, 1.0);
+  output->GetPointData()->CopyAllOn();
+  output->GetPointData()->CopyAllocate(all->GetPointData());
+  output->GetCellData()->CopyAllOn();
+  output->GetCellData()->CopyAllocate(all->GetCellData());
+  output->CopyCells(all, kept);
+}
+
 void Report(const SkdSurfaceHitTable& table, double rounding, vtkPolyData* output)
 {
   SkdReport report(output);
@@ -125,15 +203,18 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
   SkdLoop loop(this, static_cast<vtkIdType>(curves.GetNumberOfPieces()), 0.2, 0.9);
   SkdSurfaceHitTable table{ curves, curveBlocks, surfaces, surfaceBlocks, finder.Find(loop), {} };
   const double querySeconds = watch.Lap();
+  const Listed listed = OfBlocksWithCells(this->FindListedCells(outputVector), input);
 
   if (this->CutCurves)
   {
     SkdCutCurves(
       { curves, curveBlocks, surfaces.GetElements(), finder, SkdIsComposite(input), delta },
       table.Intersections, vtkPolyData::GetData(outputVector, 1));
+    KeepListed(listed, curves.GetCurves(), vtkPolyData::GetData(outputVector, 1));
   }
   table.Intersections = finder.UniteAtJoints(std::move(table.Intersections));
   CountHits(table, input, vtkDataObject::GetData(outputVector, 2));
+  KeepListed(listed, table);
   Select(this, table);
   this->StoreHits(table, SkdIsComposite(input), SkdIsComposite(source), output);
   Report(table, finder.GetRounding(), output);

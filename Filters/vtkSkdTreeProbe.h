@@ -187,6 +187,7 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   bool NeedsNearbySource(skdtree::SkdSearchRange& range) override;
+  bool ListsByInputCells() override { return this->ProbeLines; }
 
   double RelativeTolerance = 1e-3;
   double AbsoluteTolerance = 0.0;

@@ -169,7 +169,8 @@ void Report(
 }
 
 void FillOutputs(vtkSkdTreeRays* self, const std::vector<SkdBlock>& blocks,
-  const std::vector<SkdCastRays>& rays, const SkdRayTarget& target, vtkPolyData* hits)
+  const std::vector<SkdCastRays>& rays, const std::vector<std::vector<unsigned char>>& listed,
+  const SkdRayTarget& target, vtkPolyData* hits)
 {
   std::vector<vtkDataSetAttributes*> data;
   for (const SkdBlock& block : blocks)
@@ -179,7 +180,9 @@ void FillOutputs(vtkSkdTreeRays* self, const std::vector<SkdBlock>& blocks,
   const bool hasHits = self->GetHits() != vtkSkdTreeRays::COUNTS;
   if (hasHits)
   {
-    SkdFillHits(hits, rays, data, target, self->GetGenerateLines());
+    const bool areLines = self->GetGenerateLines();
+    listed.empty() ? SkdFillHits(hits, rays, data, target, areLines)
+                   : SkdFillHits(hits, SkdListedRays(rays, listed), data, target, areLines);
   }
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
@@ -268,7 +271,10 @@ int vtkSkdTreeRays::RequestData(
   report.AddMeasure("Tolerance", tolerance);
   report.AddRun(built, buildSeconds, "QuerySeconds", watch.Lap());
   Report(output, rays, counts);
-  FillOutputs(this, blocks, rays, target, vtkPolyData::GetData(outputVector, 1));
+  const bool hasList = this->Hits != COUNTS && this->Start == CELL_CENTERS;
+  const auto listed =
+    hasList ? this->FindListedCells(outputVector) : std::vector<std::vector<unsigned char>>();
+  FillOutputs(this, blocks, rays, listed, target, vtkPolyData::GetData(outputVector, 1));
   return 1;
 }
 

@@ -58,6 +58,7 @@ vtkTypeBool vtkSkdTreeSourceAlgorithm::ProcessRequest(
     return 1; // the outputs are empty
   }
   this->Inputs->SetAnyMagnitude(this->AnyMagnitude);
+  this->Inputs->SetListsByCells(this->ListsByInputCells());
   this->Inputs->SetDistribution(
     static_cast<SkdFilterInputs::Distribution>(this->SourceDistribution),
     [this](int port, SkdSearchRange& range)
@@ -80,6 +81,17 @@ bool vtkSkdTreeSourceAlgorithm::NeedsNearbySource(SkdSearchRange&)
 bool vtkSkdTreeSourceAlgorithm::CanAskPieces(int)
 {
   return false;
+}
+
+bool vtkSkdTreeSourceAlgorithm::ListsByInputCells()
+{
+  return false;
+}
+
+std::vector<std::vector<unsigned char>> vtkSkdTreeSourceAlgorithm::FindListedCells(
+  vtkInformationVector* outputs)
+{
+  return this->Inputs->FindCounted(outputs->GetInformationObject(0));
 }
 
 bool vtkSkdTreeSourceAlgorithm::IsLeftToFirst(vtkInformationVector* outputs)

@@ -122,6 +122,13 @@ protected:
   /// which inputs, with the present properties.
   virtual bool CanAskPieces(int port);
 
+  /// For subclasses that list what they find by the cells of the Input, each once, and leave out
+  /// ghosts: whether they do so with the present properties. Those that give cells of the Input
+  /// an answer, too, ask in RequestData which of them this process is to list, by block (see
+  /// SkdFilterInputs::FindCounted).
+  virtual bool ListsByInputCells();
+  std::vector<std::vector<unsigned char>> FindListedCells(vtkInformationVector* outputs);
+
   /// Whether the Input is needed as a whole and this is not the first process, which outputs all.
   bool IsLeftToFirst(vtkInformationVector* outputs);
 

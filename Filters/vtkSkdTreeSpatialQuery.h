@@ -256,6 +256,7 @@ protected:
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   bool NeedsWhole(int port) override;
   bool NeedsNearbySource(skdtree::SkdSearchRange& range) override;
+  bool ListsByInputCells() override { return true; }
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Relation = OVERLAP;

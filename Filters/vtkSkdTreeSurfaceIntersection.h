@@ -201,6 +201,7 @@ protected:
 
   bool NeedsWhole(int port) override;
   bool NeedsNearbySource(skdtree::SkdSearchRange& range) override;
+  bool ListsByInputCells() override { return true; }
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Pairs = ALL_PAIRS;

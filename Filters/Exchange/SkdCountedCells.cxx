@@ -4,8 +4,13 @@
 
 #include "Exchange/SkdJoinedRows.h"
 #include "Exchange/SkdNearbyInput.h"
+#include "Pipeline/SkdBlocks.h"
+#include "vtkCellData.h"
 #include "vtkCommunicator.h"
+#include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 
@@ -25,6 +30,23 @@ std::vector<std::vector<unsigned char>> CountedByRows(
       [](vtkIdType row) { return static_cast<unsigned char>(row >= 0 ? 1 : 0); });
   }
   return counted;
+}
+
+/// Marks the cells of a copy that are not counted.
+void Mark(vtkDataSet* mesh, const std::vector<unsigned char>& counted)
+{
+  vtkUnsignedCharArray* given = mesh->GetCellGhostArray();
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  marks->SetNumberOfValues(mesh->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    const int mark = given ? given->GetValue(cell) : 0;
+    const bool isCounted = counted[static_cast<std::size_t>(cell)] != 0;
+    marks->SetValue(cell,
+      static_cast<unsigned char>(isCounted ? mark : mark | vtkDataSetAttributes::DUPLICATECELL));
+  }
+  mesh->GetCellData()->AddArray(marks);
 }
 }
 
@@ -51,5 +73,65 @@ const std::vector<std::vector<unsigned char>>& SkdCountedCells::Update(
     this->Known = std::move(stamp);
   }
   return this->OfBlocks;
+}
+
+vtkDataObject* SkdCountedInput::Update(vtkDataObject* piece, vtkMultiProcessController* controller)
+{
+  const std::vector<std::vector<unsigned char>>& counted = this->Counted.Update(piece, controller);
+  SkdStamp stamp(piece);
+  if (stamp == this->Known && counted == this->OfBlocks)
+  {
+    return this->Marked ? this->Marked.Get() : piece;
+  }
+  this->Known = std::move(stamp);
+  this->OfBlocks = counted;
+  this->Marked = nullptr;
+  const bool areAll = std::all_of(counted.begin(), counted.end(),
+    [](const std::vector<unsigned char>& ofBlock) { return ofBlock.empty(); });
+  if (!areAll)
+  {
+    this->Marked = vtkSmartPointer<vtkDataObject>::Take(piece->NewInstance());
+    const std::vector<SkdBlock> blocks = SkdMirror(piece, this->Marked);
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+    {
+      if (!counted[i].empty())
+      {
+        Mark(blocks[i].Mesh, counted[i]);
+      }
+    }
+  }
+  return this->Marked ? this->Marked.Get() : piece;
+}
+
+// What is not like the piece, but a list of what was found by its cells, has lost those that are
+// marked.
+void SkdCountedInput::Restore(vtkInformationVector* outputs) const
+{
+  const std::vector<SkdBlock> pieces =
+    this->Marked ? SkdBlocksOf(this->Known.Get()) : std::vector<SkdBlock>();
+  const bool haveMarks = std::any_of(pieces.begin(), pieces.end(),
+    [](const SkdBlock& block) { return block.Mesh->GetCellGhostArray() != nullptr; });
+  for (int port = 0; this->Marked && port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    for (const SkdBlock& block : SkdBlocksOf(vtkDataObject::GetData(outputs, port)))
+    {
+      const auto piece = std::find_if(pieces.begin(), pieces.end(),
+        [&](const SkdBlock& each)
+        {
+          return each.BlockIndex == block.BlockIndex &&
+            each.Mesh->GetNumberOfCells() == block.Mesh->GetNumberOfCells();
+        });
+      vtkUnsignedCharArray* own =
+        piece != pieces.end() ? piece->Mesh->GetCellGhostArray() : nullptr;
+      if (own && port == 0)
+      {
+        block.Mesh->GetCellData()->AddArray(own);
+      }
+      else if (!haveMarks)
+      {
+        block.Mesh->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+      }
+    }
+  }
 }
 }

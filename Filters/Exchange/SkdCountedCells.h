@@ -3,7 +3,7 @@
 /**
  * @file SkdCountedCells.h
  * @brief Of cells that several processes have, which of them counts each: for sums over an input
- * that stays in its pieces.
+ * that stays in its pieces, and lists of what is found by its cells.
  */
 
 #ifndef SkdCountedCells_h
@@ -13,6 +13,7 @@
 
 #include <vector>
 
+class vtkInformationVector;
 class vtkMultiProcessController;
 
 namespace skdtree
@@ -29,6 +30,32 @@ public:
 private:
   SkdStamp Known;
   std::vector<std::vector<unsigned char>> OfBlocks;
+};
+
+/// An input that stays in its pieces for a filter that lists what it finds by cells, each once: the
+/// cells that other processes count are ghosts to it.
+class SkdCountedInput
+{
+public:
+  /// The piece with more cells marked as duplicates, or itself where it counts all. The same object
+  /// as long as nothing changes. All processes must call it together.
+  vtkDataObject* Update(vtkDataObject* piece, vtkMultiProcessController* controller);
+
+  /// Which cells this process counts: see SkdCountedCells.
+  const std::vector<std::vector<unsigned char>>& Find(
+    vtkDataObject* piece, vtkMultiProcessController* controller)
+  {
+    return this->Counted.Update(piece, controller);
+  }
+
+  /// Outputs that the filter has made of it: they get the marks that the piece has.
+  void Restore(vtkInformationVector* outputs) const;
+
+private:
+  SkdCountedCells Counted;
+  SkdStamp Known;
+  std::vector<std::vector<unsigned char>> OfBlocks; // as it is marked
+  vtkSmartPointer<vtkDataObject> Marked;            // nullptr: the piece itself
 };
 }
 

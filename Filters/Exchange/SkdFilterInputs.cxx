@@ -98,9 +98,15 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
   std::vector<vtkInformationVector*> whole;
   this->GatherAll(valid.Get(), outputs, retained, whole);
   const bool isFit = this->CheckGlobalIds();
+  const bool isCounted = isFit && this->CountCells(whole);
   int result = isFit ? process(whole.data()) : 0;
   this->Pieces.clear(); // or their data would stay
-  const bool isTogether = !this->Whole.empty() || !this->Nearby.empty() || !this->Spread.empty();
+  if (isCounted)
+  {
+    this->Counted.Restore(outputs);
+  }
+  const bool isTogether =
+    isCounted || !this->Whole.empty() || !this->Nearby.empty() || !this->Spread.empty();
   const SkdSharedMessages::Outcome outcome =
     isTogether ? messages.SayOnce() : SkdSharedMessages::Outcome();
   if (outcome.IsErrorAnywhere && (!outcome.IsErrorHere || result == 0))
@@ -114,6 +120,26 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
     this->Report(outputs);
   }
   return result;
+}
+
+// Whether processes have compared their cells.
+bool SkdFilterInputs::CountCells(std::vector<vtkInformationVector*>& whole)
+{
+  vtkInformation* input = whole.front()->GetNumberOfInformationObjects() == 1
+    ? whole.front()->GetInformationObject(0)
+    : nullptr;
+  vtkDataObject* piece = input ? vtkDataObject::GetData(input) : nullptr;
+  vtkMultiProcessController* controller =
+    piece && this->ListsByCells && !this->NeedsWhole(0) ? SkdControllerOf(input) : nullptr;
+  if (!controller)
+  {
+    return false;
+  }
+  vtkNew<vtkInformation> counted;
+  counted->Copy(input);
+  counted->Set(vtkDataObject::DATA_OBJECT(), this->Counted.Update(piece, controller));
+  whole.front()->SetInformationObject(0, counted);
+  return true;
 }
 
 // What is brought is near what the filter says, or near the other input, or near what is there of
@@ -328,6 +354,14 @@ const SkdSpreadSource* SkdFilterInputs::GetSpread(int port) const
 {
   const auto found = this->Spread.find({ port, 0 });
   return found == this->Spread.end() ? nullptr : &found->second.Source;
+}
+
+std::vector<std::vector<unsigned char>> SkdFilterInputs::FindCounted(vtkInformation* output)
+{
+  vtkMultiProcessController* controller = SkdControllerOf(output);
+  return controller && this->GetPiece(0) && !this->NeedsWhole(0)
+    ? this->Counted.Find(this->GetPiece(0), controller)
+    : std::vector<std::vector<unsigned char>>();
 }
 
 vtkDataObject* SkdFilterInputs::GatherSpread(int port)

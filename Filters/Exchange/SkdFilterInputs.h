@@ -9,6 +9,7 @@
 #ifndef SkdFilterInputs_h
 #define SkdFilterInputs_h
 
+#include "Exchange/SkdCountedCells.h"
 #include "Exchange/SkdNearbyInput.h"
 #include "Exchange/SkdSpreadSource.h"
 #include "Exchange/SkdWholeInput.h"
@@ -80,6 +81,10 @@ public:
   /// Whether the filter can use points of any finite coordinates: see SkdValidInput.
   void SetAnyMagnitude(bool any) { this->AnyMagnitude = any; }
 
+  /// Whether the filter lists what it finds by the cells of port 0: where that stays in its pieces,
+  /// cells that several processes have are ghosts but for one of them.
+  void SetListsByCells(bool lists) { this->ListsByCells = lists; }
+
   /// For ProcessRequest: calls `process` with the inputs that the filter is to have.
   /// - REQUEST_INFORMATION: the outputs get the times of all inputs (SkdUniteTimes).
   /// - REQUEST_DATA: inputs without broken cells (SkdValidInput), and whole where they are needed
@@ -103,6 +108,11 @@ public:
 
   /// Whom to ask about an input in this REQUEST_DATA; nullptr if it was gathered.
   const SkdSpreadSource* GetSpread(int port) const;
+
+  /// Of an input of port 0 that stays in its pieces, which of its cells this process counts, by
+  /// block: see SkdCountedCells. Nothing if it does not, or of one process. All must call it
+  /// together.
+  std::vector<std::vector<unsigned char>> FindCounted(vtkInformation* output);
 
   /// All of such an input, where its pieces turn out not to do: from now on it was gathered. All
   /// processes must call it together.
@@ -129,6 +139,7 @@ private:
   void GatherAll(vtkInformationVector** inputs, vtkInformationVector* outputs,
     std::vector<vtkSmartPointer<vtkInformationVector>>& retained,
     std::vector<vtkInformationVector*>& whole);
+  bool CountCells(std::vector<vtkInformationVector*>& whole);
   void AddStandIn(vtkInformationVector** all, int port, vtkInformationVector* inputs) const;
   void GatherInto(vtkInformationVector* inputs, int port, vtkDataObject* own);
   vtkDataObject* Gather(vtkDataObject* piece, std::pair<int, int> slot, vtkDataObject* own,
@@ -143,6 +154,7 @@ private:
   vtkAlgorithm* Filter;
   IsWhole NeedsWhole;
   bool AnyMagnitude = false;
+  bool ListsByCells = false;
   Distribution Wanted = Distribution::Replicated;
   FindSearchRange Find;
   std::function<bool(SkdSearchRange& range)> FindMutual;
@@ -154,6 +166,7 @@ private:
   std::map<std::pair<int, int>, SkdWholeInput> Whole;   // by port and connection
   std::map<std::pair<int, int>, SkdNearbyInput> Nearby; // the same
   std::map<std::pair<int, int>, SpreadInput> Spread;
+  SkdCountedInput Counted; // port 0
 };
 }
 

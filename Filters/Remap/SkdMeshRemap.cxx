@@ -215,9 +215,10 @@ void SkdMeshRemap::FillOverlaps(vtkDataObject* overlaps) const
   const std::vector<SkdBlock>& targets = this->Pair->GetTargets();
   for (std::size_t block = 0; block < targets.size(); ++block)
   {
-    const vtkSmartPointer<vtkUnstructuredGrid> mesh = this->Remapper.GetWeights(block)
+    const SkdOverlapWeights* weights = this->Remapper.GetWeights(block);
+    const vtkSmartPointer<vtkUnstructuredGrid> mesh = weights
       ? SkdMakeOverlapMesh(this->Pair->GetDonor(), targets[block].Mesh,
-          this->Remapper.GetOverlapSettings(), this->Algorithm)
+          this->Remapper.GetOverlapSettings(), this->Algorithm, weights->GetTarget().Counts)
       : nullptr;
     if (mesh && blocks)
     {

@@ -206,16 +206,16 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDataSet* target,
-  const SkdOverlapSettings& settings, vtkAlgorithm* algorithm, double first, double last)
+  const SkdOverlapSettings& settings, vtkAlgorithm* algorithm,
+  const std::vector<unsigned char>& listed)
 {
   const SkdOverlapSurface surface(donor, target, settings);
-  const auto at = [&](double share) { return first + share * (last - first); };
   SkdOverlapPair pair;
-  if (!pair.Read(donor, target, surface, settings, false, algorithm, at(0.0), at(0.2)))
+  if (!pair.Read(donor, target, surface, settings, false, algorithm, 0.0, 0.2))
   {
     return nullptr;
   }
-  SkdLoop ofPairs(algorithm, 0, at(0.2), at(0.9), 8);
+  SkdLoop ofPairs(algorithm, 0, 0.2, 0.9, 8);
   std::vector<std::vector<Shape>> found;
   const auto visit = [&](std::size_t part, std::uint32_t a, std::uint32_t b)
   {
@@ -235,7 +235,10 @@ vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDa
   std::vector<Shape> all;
   for (std::vector<Shape>& part : found)
   {
-    std::move(part.begin(), part.end(), std::back_inserter(all));
+    std::copy_if(std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()),
+      std::back_inserter(all),
+      [&](const Shape& shape)
+      { return listed.empty() || listed[static_cast<std::size_t>(shape.Target)] != 0; });
   }
   std::stable_sort(all.begin(), all.end(),
     [](const Shape& a, const Shape& b)

@@ -20,10 +20,10 @@ namespace skdtree
 /// and "DonorCell" (ids) and "Measure" (signed: concave volume cells are sums of pieces some of
 /// which count negative; all pieces of a pair sum up to its weight). No point is shared. Along
 /// parallels edges are drawn in steps. nullptr if the algorithm was aborted, or if the weights of
-/// these meshes would have a problem.
+/// these meshes would have a problem. Of the target only cells that are `listed`; empty: all.
 vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDataSet* target,
-  const SkdOverlapSettings& settings, vtkAlgorithm* algorithm, double first = 0.0,
-  double last = 1.0);
+  const SkdOverlapSettings& settings, vtkAlgorithm* algorithm,
+  const std::vector<unsigned char>& listed = {});
 }
 
 #endif

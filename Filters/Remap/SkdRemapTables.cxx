@@ -150,6 +150,10 @@ void SkdAppendWeights(const SkdOverlapWeights& weights, vtkDataSet* donor,
   const SkdOverlapTable& found = weights.GetTable();
   for (std::size_t row = 0; row + 1 < found.Rows.size(); ++row)
   {
+    if (!weights.GetTarget().IsCounted(row))
+    {
+      continue; // another process lists it
+    }
     const double by = normalization == SkdNormalization::Whole ? weights.GetTarget().Measures[row]
                                                                : weights.GetTarget().Covered[row];
     for (std::size_t k = found.Rows[row]; k < found.Rows[row + 1]; ++k)

@@ -198,6 +198,26 @@ void SkdAddFirstHits(
 }
 
 //------------------------------------------------------------------------------
+std::vector<SkdCastRays> SkdListedRays(
+  std::vector<SkdCastRays> rays, const std::vector<std::vector<unsigned char>>& listed)
+{
+  for (std::size_t block = 0; block < listed.size(); ++block)
+  {
+    SkdRayHitLists lists;
+    for (std::size_t ray = 0; ray < listed[block].size(); ++ray)
+    {
+      const SkdRayHitLists::Row hits = rays[block].Lists[ray];
+      lists.Add(hits.begin(), listed[block][ray] ? hits.end() : hits.begin());
+    }
+    if (!listed[block].empty())
+    {
+      rays[block].Lists = std::move(lists);
+    }
+  }
+  return rays;
+}
+
+//------------------------------------------------------------------------------
 void SkdFillHits(vtkPolyData* output, const std::vector<SkdCastRays>& rays,
   const std::vector<vtkDataSetAttributes*>& starts, const SkdRayTarget& target, bool areLines)
 {

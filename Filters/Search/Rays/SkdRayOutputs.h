@@ -64,6 +64,11 @@ void SkdAddHitCounts(vtkDataSetAttributes* data, const SkdCastRays& rays);
 void SkdAddFirstHits(
   vtkDataSetAttributes* data, const SkdCastRays& rays, const SkdRayTarget& target);
 
+/// The same without hits of the starts that another process lists. By data set whether this one
+/// lists each; an empty list: it does.
+std::vector<SkdCastRays> SkdListedRays(
+  std::vector<SkdCastRays> rays, const std::vector<std::vector<unsigned char>>& listed);
+
 /// Fills `output` with a point for each hit or, with `areLines`, a line from the start to it, in
 /// the order of the rays. Their data are those of the hit, and of the start those arrays that all
 /// `starts` have, without ghost marks.
