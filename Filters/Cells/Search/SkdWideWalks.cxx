@@ -61,7 +61,7 @@ struct GoesOn
 };
 
 template <bool OnlyNearest>
-void WalkNearest(
+SKD_FLATTEN void WalkNearest(
   const SkdWideTree& tree, const skd::Vector3& x, double limit2, const SkdWideVisitor& visitor)
 {
   using LeafFilter = skd::DistanceLeafFilter<OnlyNearest>;
@@ -72,7 +72,7 @@ void WalkNearest(
 }
 
 template <bool InOrder>
-void WalkAlong(const SkdWideTree& tree, const skd::Segment<3>& segment, double margin,
+SKD_FLATTEN void WalkAlong(const SkdWideTree& tree, const skd::Segment<3>& segment, double margin,
   const SkdWideVisitor& visitor)
 {
   using LeafFilter = skd::LineLeafFilter;
@@ -107,7 +107,7 @@ void SkdWideWalks::Nearest(const SkdWideTree& tree, const double x[3], double li
 }
 
 //------------------------------------------------------------------------------
-void SkdWideWalks::AboutPoint(
+SKD_FLATTEN void SkdWideWalks::AboutPoint(
   const SkdWideTree& tree, const void* planes, const double x[3], const SkdWideVisitor& visitor)
 {
   using LeafFilter = skd::PlaneLeafFilter;
@@ -122,8 +122,8 @@ void SkdWideWalks::AboutPoint(
 }
 
 //------------------------------------------------------------------------------
-void SkdWideWalks::OverlappingBox(const SkdWideTree& tree, const void* box, double excess,
-  const SkdWideVisitor& visitor, const SkdWideVisitor& sure)
+SKD_FLATTEN void SkdWideWalks::OverlappingBox(const SkdWideTree& tree, const void* box,
+  double excess, const SkdWideVisitor& visitor, const SkdWideVisitor& sure)
 {
   const skd::CompactTree& view = ViewOf(tree);
   const GoesOn visit{ visitor }, take{ sure };
