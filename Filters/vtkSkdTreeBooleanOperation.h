@@ -64,6 +64,7 @@
  * Field data, one value each: SkdReportInputVolume, SkdReportInputArea, SkdReportSourceVolume,
  * SkdReportSourceArea, SkdReportVolume and SkdReportArea (of the output), SkdReportPartVolumes (of
  * a split, one value a part from 0 on), SkdReportTreesBuilt, SkdReportSolids,
+ * SkdReportTrianglesArranged (not all where only those near the Input of a Source that moves),
  * SkdReportTrianglesSplit, SkdReportTrianglesFolded (pieces that rounding has made flat),
  * SkdReportBadEdges (of the output as it is stored: 0 of a closed oriented surface),
  * SkdReportCellsInContact (see "Several processes"), SkdReportSeconds.

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Geometry/Predicates/ClosePoint.h"
 #include "Core/Geometry/Predicates/ExactPoint.h"
 #include "Core/Geometry/Predicates/Orient3D.h"
 
@@ -165,6 +166,68 @@ TEST(ExactPoint, AFilterThatDecidesIsRight)
     EXPECT_TRUE(told == 0 || told == skd::Orient2D(x[0], x[1], x[2], 2));
   }
   EXPECT_GT(decided, 5000);
+}
+
+/// Where edges cross planes that differ by rounding, points in pairs of doubles are on a line but
+/// for that, and their order is the exact one or not told.
+TEST(ClosePoint, OrdersPointsAsExactOnesDo)
+{
+  std::mt19937_64 random(5);
+  const auto draw = [&] { return std::uniform_real_distribution<double>(-1.0, 1.0)(random); };
+  int told = 0;
+  int untold = 0;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const double size = std::ldexp(1.0, static_cast<int>(random() % 61) - 30);
+    const auto at = [&] { return Vector3{ { size * draw(), size * draw(), size * draw() } }; };
+    const Vector3 a = at(), b = at(), c = at();
+    // A triangle of which one corner is off its plane by rounding, so that crossings of it and of
+    // another one with a third plane's edges are not on one line.
+    const Vector3 d = a + 0.4 * (b - a) + 0.7 * (c - a);
+    const Vector3 p = at();
+    const Vector3 normal = Cross(b - a, c - a);
+    std::array<skd::ClosePoint, 3> close{ skd::ClosePoint(a), skd::ClosePoint(a),
+      skd::ClosePoint(a) };
+    std::array<ExactPoint, 3> exact{ ExactPoint(a), ExactPoint(a), ExactPoint(a) };
+    bool areCrossings = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      // Edges in one plane, through p.
+      const Vector3 from = p + (1.0 / size) * draw() * normal;
+      const Vector3 to = p + draw() * (b - a) - (1.0 / size) * draw() * normal;
+      const Vector3& third = k == 1 ? d : c;
+      const int sides = skd::Orient3D(a, b, third, from) * skd::Orient3D(a, b, third, to);
+      areCrossings = areCrossings && sides < 0;
+      if (areCrossings)
+      {
+        close[k] = skd::CloseCrossingWithPlane(from, to, a, b, third);
+        exact[k] = skd::ExactCrossingWithPlane(from, to, a, b, third);
+      }
+    }
+    for (int axis = 0; axis < 3 && areCrossings; ++axis)
+    {
+      const int sign = skd::CloseOrient2D(close[0], close[1], close[2], axis);
+      const int expected = skd::ExactArea(exact[0], exact[1], exact[2], axis).Sign();
+      EXPECT_TRUE(sign == 0 || sign == expected) << i;
+      const auto x = exact[0].Rounded();
+      EXPECT_NEAR(close[0].X[axis].High, x[axis], 1e-15 * size);
+      told += sign != 0 && std::abs(close[0].Error) < 1e-25 * size;
+      untold += sign == 0;
+    }
+  }
+  EXPECT_GT(told, 20 * (untold + 1));
+}
+
+TEST(ClosePoint, KnowsNothingWithoutACrossing)
+{
+  const Vector3 a{ { 0, 0, 0 } }, b{ { 1, 0, 0 } }, c{ { 0, 1, 0 } };
+  const Vector3 p{ { 0.2, 0.2, 0 } }, q{ { 0.5, 0.3, 0 } };
+  EXPECT_TRUE(std::isinf(skd::CloseCrossingWithPlane(p, q, a, b, c).Error)); // in the plane
+  const Vector3 tiny{ { 1e-90, 0, 0 } }, other{ { 0, 1e-90, 0 } };
+  const Vector3 low{ { 1e-91, 1e-91, -1e-90 } }, high{ { 1e-91, 1e-91, 1e-90 } };
+  const skd::ClosePoint none = skd::CloseCrossingWithPlane(low, high, a, tiny, other);
+  EXPECT_TRUE(std::isinf(none.Error));
+  EXPECT_EQ(skd::CloseOrient2D(none, skd::ClosePoint(b), skd::ClosePoint(c), 2), 0);
 }
 
 }
