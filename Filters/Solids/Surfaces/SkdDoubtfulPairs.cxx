@@ -38,7 +38,8 @@ public:
     const SkdTriangleSet::Corners& a = this->Set.GetCorners(first);
     const SkdTriangleSet::Corners& b = this->Set.GetCorners(second);
     return this->HasOthersOnOneSide(a, b) || this->HasOthersOnOneSide(b, a) ||
-      this->IsBeyondAnEdge(a, b) || this->IsBeyondAnEdge(b, a) || this->AreApartAtCorner(a, b);
+      this->IsBeyondAnEdge(a, b) || this->IsBeyondAnEdge(b, a) || this->AreApartAtCorner(a, b) ||
+      this->AreApartAlongEdges(a, b);
   }
 
 private:
@@ -135,6 +136,59 @@ private:
     }
     const skd::Vector3 normal = this->DirectionFrom(*at, first) - this->DirectionFrom(*at, second);
     return this->IsAbove(*at, normal, first) && this->IsAbove(*at, -1.0 * normal, second);
+  }
+
+  /// Whether triangles without a common edge are on different sides of a plane that is parallel to
+  /// an edge of each, but for a common corner: so are all that are apart, unless planes or edges of
+  /// one tell it (Gottschalk et al., SIGGRAPH 1996).
+  bool AreApartAlongEdges(const Corners& first, const Corners& second) const
+  {
+    const auto shared =
+      std::find_first_of(first.begin(), first.end(), second.begin(), second.end());
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const skd::Vector3 edge = this->At(first[(i + 1) % 3]) - this->At(first[i]);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const skd::Vector3 normal =
+          Cross(edge, this->At(second[(k + 1) % 3]) - this->At(second[k]));
+        const bool areApart = shared == first.end()
+          ? this->AreApart(first, second, normal)
+          : (this->IsAbove(*shared, normal, first) &&
+              this->IsAbove(*shared, -1.0 * normal, second)) ||
+            (this->IsAbove(*shared, -1.0 * normal, first) &&
+              this->IsAbove(*shared, normal, second));
+        if (areApart)
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// Whether a plane with this normal is between triangles without a common corner.
+  bool AreApart(const Corners& first, const Corners& second, const skd::Vector3& normal) const
+  {
+    const skd::Vector3& origin = this->At(first[0]);
+    double farthest = 0.0;
+    const auto rangeOf = [&](const Corners& of)
+    {
+      std::pair<double, double> range(
+        std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+      for (const std::uint32_t corner : of)
+      {
+        const skd::Vector3 x = this->At(corner) - origin;
+        range.first = std::min(range.first, Dot(x, normal));
+        range.second = std::max(range.second, Dot(x, normal));
+        farthest = std::max(farthest, Norm(x));
+      }
+      return range;
+    };
+    const auto a = rangeOf(first);
+    const auto b = rangeOf(second);
+    const double doubt = 4.0 * Norm(normal) * (this->Error + Distortion * farthest);
+    return b.first - a.second > doubt || a.first - b.second > doubt;
   }
 
   /// The sum of those of the edges from a corner.
