@@ -263,7 +263,9 @@ public:
    * A motion of the Source: rotated about RotationCenter by Rotation (degrees about y, then x, then
    * z, as the orientation of vtkProp3D) and translated by Translation; its points are rounded where
    * they are then. While only the motion changes, inputs are not read again, and intersections of
-   * the Input with itself are not searched again. Vectors in the data are not rotated. Default 0:
+   * the Input with itself are not searched again; from the second motion on only triangles near the
+   * other surface are looked at, if both are closed surfaces of triangles that do not intersect
+   * themselves. Vectors in the data are not rotated. Default 0:
    * not moved. Ignored without a Source.
    */
   vtkSkdTreeFinite3Macro(Translation);
