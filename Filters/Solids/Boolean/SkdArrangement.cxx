@@ -329,11 +329,15 @@ std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement, const Sk
   return arrangement;
 }
 
-std::optional<SkdArrangedPart> SkdArrangePart(
-  const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs, SkdLoop& loop)
+std::optional<SkdArrangedPart> SkdArrangePart(const SkdPlacement& placement,
+  const std::vector<SkdTrianglePair>& pairs, SkdLoop& loop, std::size_t mostEvents)
 {
   const SkdContactPoints contacts(placement, pairs);
-  const SkdSplitSegments segments(placement, pairs, contacts);
+  const SkdSplitSegments segments(placement, pairs, contacts, mostEvents);
+  if (segments.IsTooMany())
+  {
+    return std::nullopt;
+  }
   std::optional<SkdSplitResult> split = SkdSplitTriangles(segments, 0, loop);
   if (!split)
   {

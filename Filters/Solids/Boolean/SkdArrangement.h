@@ -97,9 +97,10 @@ struct SkdArrangedPart
   vtkIdType NumberSplit = 0; ///< triangles that are in pieces
 };
 
-/// Splits some triangles along all their intersections, which share no area. Empty after an abort.
-std::optional<SkdArrangedPart> SkdArrangePart(
-  const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs, SkdLoop& loop);
+/// Splits some triangles along all their intersections, which share no area. Empty after an abort,
+/// or if segments meet each other in more than `mostEvents` points.
+std::optional<SkdArrangedPart> SkdArrangePart(const SkdPlacement& placement,
+  const std::vector<SkdTrianglePair>& pairs, SkdLoop& loop, std::size_t mostEvents);
 
 ///@{
 /// The sides of a facet at an edge, twice its number and 1 more behind it: a turn around the edge,

@@ -19,11 +19,11 @@ constexpr double Progress = 0.2; // if all must be arranged, that goes on from t
 constexpr double DoneProgress = 0.8;
 }
 
-std::unique_ptr<SkdNearArrangement> SkdNearArrangement::Make(
-  const SkdRigidPair& pair, const SkdPlacement& placement, vtkAlgorithm* filter)
+std::unique_ptr<SkdNearArrangement> SkdNearArrangement::Make(const SkdRigidPair& pair,
+  const SkdPlacement& placement, const SkdNearLimits& limits, vtkAlgorithm* filter)
 {
   std::unique_ptr<SkdNearArrangement> near(new SkdNearArrangement(pair, placement));
-  if (!near->Arrange(filter))
+  if (!near->Arrange(limits, filter))
   {
     return nullptr;
   }
@@ -31,7 +31,7 @@ std::unique_ptr<SkdNearArrangement> SkdNearArrangement::Make(
   return SkdIsAborted(filter) ? nullptr : std::move(near);
 }
 
-bool SkdNearArrangement::Arrange(vtkAlgorithm* filter)
+bool SkdNearArrangement::Arrange(const SkdNearLimits& limits, vtkAlgorithm* filter)
 {
   SkdRigidPair::Near near = this->Pair.FindNear();
   this->Triangles = std::move(near.Triangles);
@@ -60,14 +60,15 @@ bool SkdNearArrangement::Arrange(vtkAlgorithm* filter)
   SkdLoop loop(filter, 0, Progress, Progress, 8);
   const auto pairs =
     SkdTrianglePairs(*this->Placement).FindByPackedRTree({}, SkdPairSearch(), loop, near.Pairs);
-  if (!pairs || SkdIsAborted(filter) ||
+  if (!pairs || SkdIsAborted(filter) || pairs->size() > limits.Pairs ||
     std::any_of(pairs->begin(), pairs->end(),
       [](const SkdTrianglePair& pair) { return pair.Contact.Count > 2; }))
   {
     return false;
   }
   SkdLoop splitLoop(filter, 0, Progress, Progress, 64);
-  auto part = SkdArrangePart(*this->Placement, *pairs, splitLoop);
+  auto part =
+    SkdArrangePart(*this->Placement, *pairs, splitLoop, pairs->size() + limits.MoreEvents);
   if (!part)
   {
     return false;

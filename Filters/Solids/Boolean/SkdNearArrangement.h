@@ -23,6 +23,13 @@ struct SkdNearBoundary
   SkdBoundaryMeasures Measures;
 };
 
+/// Beyond these the arrangement of all triangles may be another one (SkdCombineInPairs).
+struct SkdNearLimits
+{
+  std::size_t Pairs;      ///< of triangles
+  std::size_t MoreEvents; ///< points where segments meet each other, than there are pairs
+};
+
 /// Two surfaces of a SkdRigidPair where they are. Triangles that are near the other surface are
 /// arranged (SkdArrangement.h); the others are on the side of it that facets beside them have, and
 /// what is connected to no such facet on that which a line through it tells. What results is to the
@@ -33,8 +40,8 @@ public:
   /// The placement is of the pair's set. nullptr if all triangles must be arranged, as rounding may
   /// concern others, too, or triangles share an area; and after an abort. O(n) with few operations
   /// for each triangle that is not near the other surface.
-  static std::unique_ptr<SkdNearArrangement> Make(
-    const SkdRigidPair& pair, const SkdPlacement& placement, vtkAlgorithm* filter);
+  static std::unique_ptr<SkdNearArrangement> Make(const SkdRigidPair& pair,
+    const SkdPlacement& placement, const SkdNearLimits& limits, vtkAlgorithm* filter);
 
   /// The facets that an operation keeps; pieces of one face are joined with `joins`. `faces` are of
   /// the placement's triangles.
@@ -52,7 +59,7 @@ private:
   {
   }
 
-  bool Arrange(vtkAlgorithm* filter);
+  bool Arrange(const SkdNearLimits& limits, vtkAlgorithm* filter);
   signed char SignOf(const SkdBooleanRule& rule, std::uint32_t component, int other) const;
   SkdFacetSigns FindSigns(const SkdBooleanRule& rule) const;
   SkdBadEdges FindBadEdges(const SkdFacetSigns& signs) const;

@@ -158,7 +158,9 @@ bool SkdSolidArrangement::ArrangeNear(
   this->Placement.emplace(SkdMakePlacement(this->Pair->GetSet(), nullptr, std::nullopt));
   if (this->Placement->Scale == 1.0 && !this->Placement->HasTinyPoints)
   {
-    this->Near = SkdNearArrangement::Make(*this->Pair, *this->Placement, filter);
+    const std::size_t n = this->Pair->GetSet().GetTriangles().size();
+    const SkdNearLimits limits{ std::max(FewEvents, PairsOfTriangle * n), FewEvents };
+    this->Near = SkdNearArrangement::Make(*this->Pair, *this->Placement, limits, filter);
   }
   return this->Near != nullptr;
 }
