@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdArrayGather.h"
 
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdPartialArrays.h"
 #include "vtkAOSDataArrayTemplate.h"
@@ -269,7 +270,9 @@ SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
   std::vector<vtkDataSetAttributes*> sets;
   for (const SkdBlock& block : blocks)
   {
-    const bool isEmpty = block.Mesh->GetNumberOfElements(type) == 0;
+    // Of a mesh in pieces that has none here other processes have some.
+    const bool isEmpty =
+      block.Mesh->GetNumberOfElements(type) == 0 && !SkdJoinedIds(block.Mesh).HasOwn();
     sets.push_back(isEmpty ? nullptr : block.Mesh->GetAttributes(type));
   }
   const auto isWanted = [&](vtkAbstractArray* array)

@@ -472,6 +472,8 @@ TEST(BooleanOperation, KeepsWhatIsFoundWhileInputsAreUnchanged)
     filter->Update();
     auto output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
     EXPECT_EQ(SixVolumes(output), SixVolumes(Combine(a, b, operation))) << operation;
+    const bool hasSolids = operation == Filter::AT_LEAST; // the others are on the two inputs
+    EXPECT_EQ(output->GetCellData()->HasArray("SkdSolidId") != 0, hasSolids) << operation;
   }
   filter->SetSourceData(MakePolyData(Transformed(SphereTriangles(6), 1, { 9, 9, 9 })));
   filter->Update();

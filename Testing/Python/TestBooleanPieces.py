@@ -39,6 +39,9 @@ def cases(partition):
     for operation in OPERATIONS:
         yield operation, simple.SkdTreeBooleanOperation(
             Input=ball, Source=other, Operation=operation)
+    yield "arrays of one input", simple.SkdTreeBooleanOperation(
+        Input=skdpieces.source("sphere", "one process"), Source=skdpieces.source("sphere", partition,
+            radius=3.0, center=(3.234, 0.5, 0.25), has_normals=False))
     yield "nested", simple.SkdTreeBooleanOperation(Input=ball, Source=small, Operation="Difference")
     yield "apart", simple.SkdTreeBooleanOperation(Input=ball, Source=far)
     yield "flush blocks", simple.SkdTreeBooleanOperation(Input=block, Source=flush)
@@ -75,6 +78,14 @@ def rows(proxy):
         [skdpieces.locations(data, of_cells=True), sizes, *columns]).astype(float)
 
 
+def arrays(proxy):
+    """Names of this process's arrays; of none if it has no faces."""
+    data = proxy.GetClientSideObject().GetOutputDataObject(0)
+    names = [of.GetArrayName(i) for of in (data.GetCellData(), data.GetPointData())
+        for i in range(of.GetNumberOfArrays())]
+    return numpy.array(sorted(names) if data.GetNumberOfCells() > 0 else [], dtype=str)
+
+
 def report(proxy):
     values = [skdexchange.report_of(proxy, what) for what in SUMS + COUNTS]
     return numpy.array([numpy.nan if value is None else value for value in values])
@@ -88,11 +99,13 @@ def write(file, partitions):
             title = partition + ": " + name
             found[title] = rows(proxy)
             found[title + ", report"] = report(proxy)
+            found[title + ", arrays"] = arrays(proxy)
             if skdpieces.process()[1] == 1:
                 continue
             proxy.SourceDistribution = "Exchange"
             found[title + EXCHANGED] = rows(proxy)
             found[title + ", report" + EXCHANGED] = report(proxy)
+            found[title + ", arrays" + EXCHANGED] = arrays(proxy)
             can = skdexchange.is_exchanged(proxy) if can is None else can
             should = not name.startswith("~") and can
             if skdexchange.is_exchanged(proxy) != should:
@@ -122,6 +135,10 @@ def check(whole, parts):
             for kind in ("", EXCHANGED):
                 numpy.testing.assert_allclose(
                     parts[0][name + kind], expected, rtol=1e-12, atol=1e-13, err_msg=name + kind)
+        elif name.endswith(", arrays"):
+            for part in parts:
+                own = part[name + EXCHANGED]
+                assert own.size == 0 or list(own) == list(expected), (name, own, expected)
         else:
             together = numpy.vstack([part[name + EXCHANGED] for part in parts])
             assert together.shape == expected.shape, (name, expected.shape, together.shape)

@@ -293,7 +293,7 @@ void SkdSolidArrangement::FindSolids(const SkdBooleanBlocks& blocks, bool areInp
     return;
   }
   SkdSolids solids = this->MakeSolids(blocks, areInputs);
-  if (this->Windings.empty() || solids.Of != this->Solids.Of)
+  if (this->Windings.empty() || areInputs != this->AreInputs || solids.Of != this->Solids.Of)
   {
     this->Solids = std::move(solids);
     this->AreInputs = areInputs;
