@@ -4,7 +4,7 @@
 # Puts what a VTK build would fetch from SOURCE into WORK/source/Remote/SkdTree, and builds the small
 # super-project around it with GENERATOR and OPTIONS: without precompiled headers, so that each file
 # shows that it includes what it needs; or, if the environment variable SKDTREE_REMOTE_IN_GROUPS is
-# on, with them and in groups (SKDTREE_UNITY_BUILD), in a third of the time.
+# set, with them and in groups (SKDTREE_UNITY_BUILD), which takes much less time.
 
 set(super "${WORK}/source")
 file(COPY "${CMAKE_CURRENT_LIST_DIR}/RemoteModule/" "${CMAKE_CURRENT_LIST_DIR}/Outside/Outside.cxx"
@@ -17,7 +17,7 @@ endforeach ()
 
 set(in_groups OFF)
 set(alone ON)
-if ("$ENV{SKDTREE_REMOTE_IN_GROUPS}")
+if (NOT "$ENV{SKDTREE_REMOTE_IN_GROUPS}" STREQUAL "")
   set(in_groups ON)
   set(alone OFF)
 endif ()
