@@ -3,10 +3,22 @@
 #ifndef SkdRelativeWindings_h
 #define SkdRelativeWindings_h
 
-#include "Solids/Boolean/SkdWindingNumbers.h"
+#include "Solids/Boolean/SkdArrangement.h"
 
 namespace skdtree
 {
+/// The winding number of one of several surfaces, if it is not 0.
+struct SkdWindingOf
+{
+  std::uint32_t Surface;
+  int Number;
+
+  bool operator<(const SkdWindingOf& other) const { return this->Surface < other.Surface; }
+};
+
+/// Of a region: those of all surfaces around it, ascending.
+using SkdRegionWindings = std::vector<SkdWindingOf>;
+
 /// Adds winding numbers to others.
 void SkdAddWinding(SkdRegionWindings& to, const SkdWindingOf& winding);
 

@@ -6,7 +6,6 @@
 #include "Core/Geometry/DisjointSets.h"
 #include "Core/Geometry/Predicates/ExactPoint.h"
 #include "Solids/Boolean/SkdLineCrossings.h"
-#include "Solids/Boolean/SkdRelativeWindings.h"
 
 #include <algorithm>
 #include <atomic>

@@ -8,25 +8,13 @@
 #ifndef SkdWindingNumbers_h
 #define SkdWindingNumbers_h
 
-#include "Solids/Boolean/SkdArrangement.h"
 #include "Solids/Boolean/SkdAxisLine.h"
+#include "Solids/Boolean/SkdRelativeWindings.h"
 
 #include <functional>
 
 namespace skdtree
 {
-/// The winding number of one of several surfaces, if it is not 0.
-struct SkdWindingOf
-{
-  std::uint32_t Surface;
-  int Number;
-
-  bool operator<(const SkdWindingOf& other) const { return this->Surface < other.Surface; }
-};
-
-/// Of a region: those of all surfaces around it, ascending.
-using SkdRegionWindings = std::vector<SkdWindingOf>;
-
 /// The winding numbers of all regions. `surfaceOf` is the surface of each triangle of the set; all
 /// of them are closed. The numbers of regions that facets connect follow from each other; those of
 /// one region of each connected set of facets are counted along a line. All of it is exact. O(n),
