@@ -58,6 +58,13 @@ struct Facts
   }
 };
 
+/// A triangle of another process, or for one.
+struct FarTriangle
+{
+  std::array<skd::Vector3, 3> Corners;
+  int Input;
+};
+
 /// A box that has some of the cells of a process which meet others, and how many.
 struct Cluster
 {
@@ -88,14 +95,12 @@ public:
       return SkdDealt::Unfit;
     }
     center = this->Center;
-    this->MarkPairs(placement);
-    this->MarkEdges();
+    this->FindBoxes();
+    this->FindContacts();
     if (SkdMostOf(this->Transport, SkdIsAborted(this->Filter) ? 1 : 0) > 0)
     {
       return SkdDealt::Aborted;
     }
-    this->FindBoxes();
-    this->AskForContacts();
     this->ListDestinations(staying, inContact);
     return SkdDealt::Done;
   }
@@ -175,51 +180,6 @@ private:
     return all.AreFit();
   }
 
-  void Mark(std::uint32_t triangle)
-  {
-    if (this->IsOwn(triangle))
-    {
-      this->HasContact[this->Slots[this->Set.GetCellOf(triangle)]] = true;
-    }
-  }
-
-  /// Cells that meet others of this process.
-  void MarkPairs(const SkdPlacement& placement)
-  {
-    SkdLoop loop(this->Filter, 0, 0.0, 0.2, 8);
-    const auto pairs = SkdFindSelfPairs(this->Set, placement, loop, this->Filter);
-    if (!pairs)
-    {
-      return; // aborted
-    }
-    for (const SkdTrianglePair& pair : pairs->Pairs)
-    {
-      this->Mark(pair.First);
-      this->Mark(pair.Second);
-    }
-    for (const SkdDuplicate& duplicate : pairs->Duplicates)
-    {
-      this->Mark(duplicate.Original);
-      this->Mark(duplicate.Triangle);
-    }
-  }
-
-  /// Where more than two triangles have an edge, their order around it matters.
-  void MarkEdges()
-  {
-    const std::vector<SkdTriangleSet::Corners> triangles(
-      this->Set.GetTriangles().begin(), this->Set.GetTriangles().end());
-    SkdMakeEdgeTable(triangles, this->Set.GetPoints().size())
-      .ForEach(
-        [this](std::uint32_t, const SkdEdgeUse* first, const SkdEdgeUse* last)
-        {
-          for (const SkdEdgeUse* use = first; use != last && last - first > 2; ++use)
-          {
-            this->Mark(use->Triangle);
-          }
-        });
-  }
-
   void FindBoxes()
   {
     const double margin =
@@ -239,40 +199,144 @@ private:
     }
   }
 
-  /// Whether boxes of other processes overlap the own ones.
-  void AskForContacts()
+  /// Triangles of other processes that may be in contact with own ones.
+  std::vector<FarTriangle> BringBorder() const
   {
     const SkdCut cut(this->Transport, this->Boxes);
-    const skd::PackedRTree tree(this->Boxes);
-    const int rank = this->Transport.GetRank();
-    const std::size_t share = SkdSizeOfRound(this->Transport.GetNumber(), sizeof(skd::Box3));
-    const auto reply = [&](const std::vector<skd::Box3>& asked, auto& answers)
+    SkdRowsByProcess<FarTriangle> rows(static_cast<std::size_t>(this->Transport.GetNumber()));
+    std::vector<int> processes;
+    for (std::uint32_t triangle = 0; triangle < this->Set.GetTriangles().size(); ++triangle)
     {
-      for (std::uint32_t k = 0; k < asked.size(); ++k)
+      if (this->IsOwn(triangle))
       {
-        bool isMet = false;
-        tree.ForEachOverlapping(
-          asked[k], [&](std::uint32_t i) { isMet = isMet || this->Boxes[i].Overlaps(asked[k]); });
-        if (isMet)
+        cut.FindOverlapping(this->Boxes[this->Slots[this->Set.GetCellOf(triangle)]], processes);
+        for (const int process : processes)
         {
-          answers.push_back({ k, true });
+          rows[static_cast<std::size_t>(process)].push_back(this->Get(triangle));
         }
       }
-    };
-    for (std::size_t begin = 0; SkdMostOf(this->Transport, begin < this->Boxes.size() ? 1 : 0) > 0;
-         begin = std::min(begin + share, this->Boxes.size()))
-    {
-      const std::size_t number = std::min(share, this->Boxes.size() - begin);
-      SkdAskOthers<skd::Box3, bool>(
-        this->Transport, number,
-        [&](std::size_t i, std::vector<int>& processes)
-        {
-          cut.FindOverlapping(this->Boxes[begin + i], processes);
-          processes.erase(std::remove(processes.begin(), processes.end(), rank), processes.end());
-        },
-        [&](std::size_t i) { return this->Boxes[begin + i]; }, reply,
-        [&](std::size_t i, bool, int) { this->HasContact[begin + i] = true; });
     }
+    rows[static_cast<std::size_t>(this->Transport.GetRank())].clear();
+    std::vector<FarTriangle> border;
+    for (const std::vector<FarTriangle>& some : SkdExchangeRows(this->Transport, rows))
+    {
+      border.insert(border.end(), some.begin(), some.end());
+    }
+    return border;
+  }
+
+  FarTriangle Get(std::uint32_t triangle) const
+  {
+    const SkdTriangleSet::Corners& corners = this->Set.GetTriangles()[triangle];
+    const SkdTriangleSet::PointList& points = this->Set.GetPoints();
+    return { { points[corners[0]], points[corners[1]], points[corners[2]] },
+      this->InputOf(this->Set.GetCells()[this->Set.GetCellOf(triangle)]) };
+  }
+
+  /// The own triangles and, behind them, others; gets the slot of the cell that each is of.
+  SkdTriangleSet MakeBordered(
+    const std::vector<FarTriangle>& border, std::vector<std::uint32_t>& slots) const
+  {
+    SkdReadTriangles made;
+    const auto add = [&](const FarTriangle& x, std::uint32_t slot, const SkdTriangleCell& cell)
+    {
+      const auto first = static_cast<std::uint32_t>(made.Points.size());
+      for (const skd::Vector3& corner : x.Corners)
+      {
+        made.Points.push_back(corner);
+        made.Origins.push_back({ cell.Block, -1 });
+      }
+      made.Triangles.push_back({ first, first + 1, first + 2 });
+      made.Cells.push_back(cell);
+      made.CellOf.push_back(static_cast<std::uint32_t>(slots.size()));
+      slots.push_back(slot);
+    };
+    for (std::uint32_t triangle = 0; triangle < this->Set.GetTriangles().size(); ++triangle)
+    {
+      if (this->IsOwn(triangle))
+      {
+        add(this->Get(triangle), this->Slots[this->Set.GetCellOf(triangle)],
+          { 0, static_cast<vtkIdType>(triangle) });
+      }
+    }
+    for (std::size_t i = 0; i < border.size(); ++i)
+    {
+      add(border[i], None, { 1, static_cast<vtkIdType>(i) });
+    }
+    SkdTriangleSet set(std::move(made));
+    set.LeaveOutCopies(1);
+    return set;
+  }
+
+  /// Own cells whose boxes overlap those of the other input: faces that are flush but for rounding
+  /// may be in no contact.
+  void MarkNear(const std::vector<FarTriangle>& border)
+  {
+    std::vector<skd::Box3> boxes;
+    for (const FarTriangle& triangle : border)
+    {
+      boxes.emplace_back();
+      for (const skd::Vector3& corner : triangle.Corners)
+      {
+        boxes.back().Add(corner);
+      }
+    }
+    const skd::PackedRTree tree(boxes);
+    for (std::size_t i = 0; i < this->Boxes.size(); ++i)
+    {
+      const int own = this->InputOf(this->Set.GetCells()[this->Own[i]]);
+      tree.ForEachOverlapping(this->Boxes[i],
+        [&](std::uint32_t k)
+        {
+          this->HasContact[i] =
+            this->HasContact[i] || (border[k].Input != own && boxes[k].Overlaps(this->Boxes[i]));
+        });
+    }
+  }
+
+  /// Own cells that are in contact with others which are not their neighbours, or at an edge that
+  /// more than two triangles have: their order around it matters.
+  void FindContacts()
+  {
+    const std::vector<FarTriangle> border = this->BringBorder();
+    this->MarkNear(border);
+    std::vector<std::uint32_t> slots;
+    SkdTriangleSet set = this->MakeBordered(border, slots);
+    const auto mark = [&](std::uint32_t triangle)
+    {
+      if (slots[triangle] != None)
+      {
+        this->HasContact[slots[triangle]] = true;
+      }
+    };
+    SkdLoop loop(this->Filter, 0, 0.0, 0.2, 8);
+    const SkdPlacement placement = SkdMakePlacement(set, nullptr, std::nullopt);
+    const auto pairs = SkdFindSelfPairs(set, placement, loop, this->Filter);
+    if (!pairs)
+    {
+      return; // aborted
+    }
+    for (const SkdTrianglePair& pair : pairs->Pairs)
+    {
+      mark(pair.First);
+      mark(pair.Second);
+    }
+    for (const SkdDuplicate& duplicate : pairs->Duplicates)
+    {
+      mark(duplicate.Original);
+      mark(duplicate.Triangle);
+    }
+    const std::vector<SkdTriangleSet::Corners> triangles(
+      set.GetTriangles().begin(), set.GetTriangles().end());
+    SkdMakeEdgeTable(triangles, set.GetPoints().size())
+      .ForEach(
+        [&](std::uint32_t, const SkdEdgeUse* first, const SkdEdgeUse* last)
+        {
+          for (const SkdEdgeUse* use = first; use != last && last - first > 2; ++use)
+          {
+            mark(use->Triangle);
+          }
+        });
   }
 
   /// Of the boxes of cells that meet others, a few that have them all.
