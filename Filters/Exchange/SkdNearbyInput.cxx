@@ -33,9 +33,13 @@ std::vector<skd::Box3> BoxesOf(vtkDataObject* object, double ofDiagonal)
   std::vector<skd::Box3> boxes;
   for (const SkdBlock& block : SkdBlocksOf(object))
   {
-    const std::vector<skd::Box3> points = SkdBoxesOfPoints(block.Mesh);
+    const std::vector<skd::Box3> cells = SkdBoxesOfCells(block.Mesh, false);
+    const bool haveAll = !SkdHasFreePoints(block.Mesh) &&
+      std::none_of(cells.begin(), cells.end(), [](const skd::Box3& box) { return box.IsEmpty(); });
+    const std::vector<skd::Box3> points =
+      haveAll ? std::vector<skd::Box3>() : SkdBoxesOfPoints(block.Mesh);
     boxes.insert(boxes.end(), points.begin(), points.end());
-    for (const skd::Box3& box : SkdBoxesOfCells(block.Mesh, false))
+    for (const skd::Box3& box : cells)
     {
       boxes.push_back(box.Inflated(ofDiagonal * box.Diagonal()));
     }

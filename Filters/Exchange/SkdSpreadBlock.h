@@ -72,7 +72,7 @@ public:
 private:
   using Chosen = SkdRowsByProcess<vtkIdType>; // cells for each process, ascending
 
-  void AddNear(const std::vector<skd::Box3>& boxes, const SkdCut& cut, double distance,
+  void AddNear(const std::vector<skd::Box3>& boxes, const SkdCut& cut, int rank, double distance,
     double ofDiagonal, Chosen& chosen) const;
   void AddOwn(std::vector<vtkIdType>& cells) const;
   void AddExtremes(SkdTransport& transport, Chosen& chosen) const;
