@@ -16,6 +16,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <sstream>
 
 namespace skdtree
 {
@@ -115,7 +116,9 @@ bool SkdSharedMessages::Keep(vtkObject*, unsigned long event, void* given)
 
 void SkdSharedMessages::Say(const Message& message) const
 {
-  const std::string text = this->Filter->GetObjectDescription() + ": " + message.Text;
+  std::ostringstream whole; // as VTK's macros put it
+  whole << this->Filter->GetClassName() << " (" << this->Filter << "): " << message.Text;
+  const std::string text = whole.str();
   if (message.IsError)
   {
     vtkOutputWindowDisplayErrorText(message.File.c_str(), message.Line, text.c_str(), this->Filter);
