@@ -80,6 +80,7 @@ public:
     , Transport(sources[0]->GetTransport())
     , Filter(filter)
     , Blocks(SkdMakeBooleanBlocks(sources[0]->GetOwn(), sources[1]->GetOwn()))
+    , Ids(SkdJoinedIdsOf(this->Blocks.All))
   {
     this->Set.Update(this->Blocks.All, chordalDeviation);
     this->Set.LeaveOutCopies(1);
@@ -113,7 +114,7 @@ private:
 
   vtkIdType IdOf(const SkdTriangleSet::Cell& cell) const
   {
-    return SkdJoinedIds(this->Blocks.All[static_cast<std::size_t>(cell.Block)].Mesh).Of(cell.Id);
+    return this->Ids[static_cast<std::size_t>(cell.Block)].Of(cell.Id);
   }
 
   bool IsOwn(std::uint32_t triangle) const
@@ -450,7 +451,8 @@ private:
   const Sources& Given;
   SkdTransport& Transport;
   vtkAlgorithm* const Filter;
-  const SkdBooleanBlocks Blocks; // what this process has
+  const SkdBooleanBlocks Blocks;       // what this process has
+  const std::vector<SkdJoinedIds> Ids; // of its cells
   SkdTriangleSet Set;
   skd::Vector3 Center{};            // of the bounds of all processes' cells
   std::vector<std::uint32_t> Own;   // the cells of the set that this process counts
