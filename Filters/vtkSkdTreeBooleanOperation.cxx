@@ -178,9 +178,13 @@ SkdDealt vtkSkdTreeBooleanOperation::Internals::CombineSpread(
   const SkdBooleanBlocks& blocks = this->Dealt.GetBlocks();
   const bool isDone =
     this->Update(blocks, self->ChordalDeviation, true, this->MakeRule(self), self);
-  if (SkdMostOf(transport, isDone ? 0 : 1) > 0)
+  const SkdDealt own = isDone ? SkdDealt::Done
+    : SkdIsAborted(self)      ? SkdDealt::Aborted
+                              : SkdDealt::Unfit;
+  const auto most = static_cast<SkdDealt>(SkdMostOf(transport, static_cast<int>(own)));
+  if (most != SkdDealt::Done)
   {
-    return SkdDealt::Aborted;
+    return most;
   }
   this->SetRoundsNumbers(false);
   this->FindSolids(blocks, true);

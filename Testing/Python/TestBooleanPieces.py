@@ -51,6 +51,9 @@ def cases(partition):
         Input=crowd, Source=moved, Operation="Difference")
     yield "crowd that intersects itself", simple.SkdTreeBooleanOperation(
         Input=skdpieces.source("crowd", partition, step=0.7), Source=moved)
+    yield "~dense crowd", simple.SkdTreeBooleanOperation(
+        Input=skdpieces.source("crowd", partition, count=60, step=0.02),
+        Source=skdpieces.source("crowd", partition, count=60, step=0.02, shift=0.1))
     yield "~split", simple.SkdTreeBooleanOperation(
         Input=ball, Source=other, Operation="Split")
     yield "~coarse", simple.SkdTreeBooleanOperation(

@@ -240,7 +240,7 @@ bool SkdSolidArrangement::Arrange(
   const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter)
 {
   constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
-  const bool mayCombine = !this->Spread && SkdCanCombineInPairs(rule.Operation, areInputs);
+  const bool mayCombine = SkdCanCombineInPairs(rule.Operation, areInputs);
   const std::size_t dense = mayCombine
     ? std::max(FewEvents, PairsOfTriangle * this->Triangles.GetTriangles().size())
     : unlimited;
@@ -258,6 +258,10 @@ bool SkdSolidArrangement::Arrange(
   }
   if (arrangement && arrangement->IsCrowd)
   {
+    if (this->Spread)
+    {
+      return false;
+    }
     if (this->CombineInPairs(solids, areInputs, rule, *pairs, filter))
     {
       this->Arrangement = *std::move(arrangement);

@@ -85,7 +85,7 @@ class SkdSolidArrangement
 public:
   /// The next operation is on the inputs that were dealt out to several processes, or, with
   /// nullptr, on all of them. Then FindWindings must be called by all together; surfaces are closed
-  /// over all.
+  /// over all. Very many solids that overlap must be gathered: Update returns false.
   void SetSpread(const SkdSpreadSolids* spread, SkdTransport* transport)
   {
     this->Spread = spread;
