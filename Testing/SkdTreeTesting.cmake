@@ -107,7 +107,7 @@ function (skdtree_add_python_test name)
   add_test(NAME "${test_LABEL}.${name}" COMMAND ${test_COMMAND})
   set_tests_properties("${test_LABEL}.${name}" PROPERTIES
     LABELS "${test_LABEL}"
-    TIMEOUT 600
+    TIMEOUT 1800
     SKIP_RETURN_CODE 77
     FAIL_REGULAR_EXPRESSION "ERR\\|;ERROR: In ;Traceback"
     ENVIRONMENT "${SKDTREE_TEST_ENVIRONMENT};${SKDTREE_USE_ENVIRONMENT}")

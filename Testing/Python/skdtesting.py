@@ -103,7 +103,7 @@ def run_in_parallel(script, argument, processes=2, listens=False):
     heard = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True} if listens else {}
     run = subprocess.run(
         ["mpiexec", "-np", str(processes), "pvbatch", "--symmetric", script, argument],
-        env=environment, check=not listens, timeout=300, **heard)
+        env=environment, check=not listens, timeout=900, **heard)
     if run.returncode != 0:
         raise RuntimeError(run.stdout)
     return run.stdout
