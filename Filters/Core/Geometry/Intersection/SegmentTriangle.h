@@ -18,13 +18,16 @@
 namespace skd
 {
 
-/// A vertex seen along a segment: (X, Y) across it, 0 on it; Z its parameter, 0 at A and 1 at B.
-struct Sheared
+/// A vertex seen along a segment: (X, Y) across it, 0 on it; Z its parameter, 0 at A and 1 at B. Or
+/// several vertices, side by side.
+template <class Number>
+struct ShearedLanes
 {
-  double X;
-  double Y;
-  double Z;
+  Number X;
+  Number Y;
+  Number Z;
 };
+using Sheared = ShearedLanes<double>;
 
 /// The axis that a direction runs along most, Z, the two others, and how far it goes along these
 /// for each step along Z.
@@ -73,14 +76,20 @@ public:
   /// False for a segment of no length and for one that is not finite: these hit nothing.
   bool IsValid() const { return this->Length != 0.0 && std::isfinite(this->Length); }
 
-  /// Scaling by a power of two keeps signs exact on tiny and huge data.
   Sheared See(const Vector3& vertex) const
   {
-    const Vector3 p = vertex - this->TheSegment.A;
+    return this->See<double>([&](int axis) { return vertex[axis]; });
+  }
+  /// The same of along(axis), coordinates of one vertex or of several. Scaling by a power of two
+  /// keeps signs exact on tiny and huge data.
+  template <class Number, class Along>
+  ShearedLanes<Number> See(const Along& along) const
+  {
     const Shear& shear = this->TheShear;
-    const double z = p[shear.Z];
-    return { (p[shear.X] - shear.SlopeX * z) * this->Scale,
-      (p[shear.Y] - shear.SlopeY * z) * this->Scale, z / this->Length };
+    const auto from = [&](int axis) { return along(axis) - Number(this->TheSegment.A[axis]); };
+    const Number z = from(shear.Z);
+    return { (from(shear.X) - Number(shear.SlopeX) * z) * Number(this->Scale),
+      (from(shear.Y) - Number(shear.SlopeY) * z) * Number(this->Scale), z / Number(this->Length) };
   }
 
   /// The parameter to report for a computed one: those within rounding of an end are that end's;

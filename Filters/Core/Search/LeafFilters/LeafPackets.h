@@ -66,6 +66,9 @@ public:
   void Fetch(std::uint32_t number) const;
   void FetchPoints(std::uint32_t number) const;
   Vector3 Corner(std::uint32_t number, std::uint32_t lane, int corner) const;
+  /// body(along): along(axis) returns what a triangle's three corners have along it.
+  template <class Body>
+  auto WithCorners(std::uint32_t number, std::uint32_t lane, const Body& body) const;
   ///@}
 
 private:

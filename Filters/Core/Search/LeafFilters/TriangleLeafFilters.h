@@ -6,6 +6,7 @@
 #ifndef skd_LeafFilters_TriangleLeafFilters_h
 #define skd_LeafFilters_TriangleLeafFilters_h
 
+#include "../Tree/AxisLanes.h"
 #include "LeafPackets.h"
 #include "TriangleCrossings.h"
 #include "TriangleDistances.h"
@@ -32,6 +33,21 @@ inline Vector3 TrianglePackets::Corner(std::uint32_t number, std::uint32_t lane,
 {
   const TrianglePacket& packet = this->First[number];
   return this->Points.At(packet.FirstPoint + packet.PointOf[lane][corner]);
+}
+
+template <class Body>
+auto TrianglePackets::WithCorners(std::uint32_t number, std::uint32_t lane, const Body& body) const
+{
+  const TrianglePacket& packet = this->First[number];
+  const auto pass = [&](const auto* points)
+  {
+    points += 3 * std::size_t(packet.FirstPoint);
+    const auto corner = [&](int i) { return points + 3 * std::size_t(packet.PointOf[lane][i]); };
+    const decltype(points) corners[] = { corner(0), corner(1), corner(2) };
+    return body([&](std::ptrdiff_t axis)
+      { return AxisLanes<3>::Of([&](int i) { return corners[i][axis]; }); });
+  };
+  return this->Points.Floats ? pass(this->Points.Floats) : pass(this->Points.Doubles);
 }
 
 /// Lower bounds of distances. With `OnlyNearest` also upper ones: these limit the search.

@@ -95,9 +95,8 @@ private:
   SKD_NOINLINE void Test(int i, std::uint32_t number, std::uint32_t lane)
   {
     const One& line = *this->Lines[i];
-    const auto corner = [&](int j) { return this->Packets.Corner(number, lane, j); };
     if (const auto hit =
-          IntersectWithin(line.View, corner(0), corner(1), corner(2), this->Tolerance))
+          detail::IntersectWithin(line.View, this->Packets, number, lane, this->Tolerance))
     {
       const std::uint32_t element = this->Tree.Element(this->Tree.LeafAt(number).First + lane);
       [[maybe_unused]] const double last = this->TheVisitor(i, element, *hit);

@@ -14,6 +14,44 @@ namespace skd
 namespace detail
 {
 
+SKD_NOINLINE inline std::optional<TriangleHit> IntersectOneByOne(const SegmentView& view,
+  const TrianglePackets& packets, std::uint32_t number, std::uint32_t lane, double tolerance)
+{
+  const auto corner = [&](int i) { return packets.Corner(number, lane, i); };
+  return IntersectWithin(view, corner(0), corner(1), corner(2), tolerance);
+}
+
+/// IntersectWithin() of a triangle of a packet, to the last bit, with its corners side by side: of
+/// products that differ when they are rounded the order is known (Sign.h), and few are equal.
+inline std::optional<TriangleHit> IntersectWithin(const SegmentView& view,
+  const TrianglePackets& packets, std::uint32_t number, std::uint32_t lane, double tolerance)
+{
+  using Three = AxisLanes<3>;
+  const ShearedLanes<Three> seen =
+    packets.WithCorners(number, lane, [&](const auto& along) { return view.See<Three>(along); });
+  const Three nextX = Next(seen.X);
+  const Three nextY = Next(seen.Y);
+  const Three left = seen.X * nextY;
+  const Three right = seen.Y * nextX;
+  const unsigned above = Above(left, right);
+  const unsigned below = Above(right, left);
+  if (std::max(above, below) == LowBits(3))
+  {
+    const Three weights = (left - right) +
+      (ProductMinus(seen.X, nextY, left) - ProductMinus(seen.Y, nextX, right)); // of C, A, B
+    const double area = weights[1] + weights[2] + weights[0];
+    const Three parts = Next(weights) * seen.Z;
+    if (const auto t = view.Accept((parts[0] + parts[1] + parts[2]) / area))
+    {
+      return TriangleHit{ *t, weights[2] / area, weights[0] / area, false, true };
+    }
+  }
+  const bool isCertain = std::max(above, below) == LowBits(3) || (above != 0 && below != 0);
+  return isCertain && !(tolerance > 0.0)
+    ? std::nullopt
+    : IntersectOneByOne(view, packets, number, lane, tolerance);
+}
+
 /// A tree to queries that find elements by the number of their leaf and their lane in it:
 /// the Element() of a position is Width times that number and the lane.
 class LanesView
@@ -65,12 +103,11 @@ SKD_FLATTEN void VisitTriangleHits(const TreeView<3>& tree, const TrianglePacket
   }
   const detail::LanesView lanes(tree);
   double limit = 1.0;
-  auto test = [&](std::uint32_t laneOfAll) SKD_NOINLINE
+  auto test = [&](std::uint32_t laneOfAll) SKD_NOINLINE SKD_FLATTEN
   {
     const std::uint32_t number = laneOfAll / lanes.Width;
     const std::uint32_t lane = laneOfAll % lanes.Width;
-    const auto corner = [&](int i) { return packets.Corner(number, lane, i); };
-    if (const auto hit = IntersectWithin(view, corner(0), corner(1), corner(2), tolerance))
+    if (const auto hit = detail::IntersectWithin(view, packets, number, lane, tolerance))
     {
       limit = visitor(lanes.ElementAt(number, lane), *hit);
     }

@@ -31,6 +31,22 @@ public:
     this->Registers[Count - 1] = LoadDoubles<D - before>(values.X + before);
   }
 
+  /// Of at(axis).
+  template <class At>
+  static AxisLanes Of(const At& at)
+  {
+    AxisLanes lanes;
+    ForEachAxis<Count>(
+      [&](int i)
+      {
+        const int first = i * NativeDoubles;
+        const auto in = [&](int lane)
+        { return first + lane < D ? at(first + lane) : decltype(at(0))(); };
+        lanes.Registers[i] = DoublesOf(in);
+      });
+    return lanes;
+  }
+
   Vector<D> Values() const
   {
     Vector<D> values;
@@ -97,6 +113,46 @@ public:
   {
     unsigned bits = 0;
     ForEachAxis<Count>([&](int i) { bits |= SignBits(this->Registers[i]) << (i * NativeDoubles); });
+    return bits & LowBits(D);
+  }
+
+  /// On each axis what is on the next, on the last what is on the first.
+  friend AxisLanes Next(const AxisLanes& a)
+  {
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX2__)
+    if constexpr (D == 3)
+    {
+      AxisLanes next;
+      next.Registers[0] = _mm256_permute4x64_pd(a.Registers[0], 0b11001001);
+      return next;
+    }
+#endif
+    return Of([&](int axis) { return a[(axis + 1) % D]; });
+  }
+  double operator[](int axis) const
+  {
+    return LaneOf(this->Registers[axis / NativeDoubles], axis % NativeDoubles);
+  }
+
+  /// a b - c, rounded once.
+  friend AxisLanes ProductMinus(const AxisLanes& a, const AxisLanes& b, const AxisLanes& c)
+  {
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__) && defined(__FMA__)
+    AxisLanes result;
+    ForEachAxis<Count>([&](int i)
+      { result.Registers[i] = _mm256_fmsub_pd(a.Registers[i], b.Registers[i], c.Registers[i]); });
+    return result;
+#else
+    return Of([&](int axis) { return std::fma(a[axis], b[axis], -c[axis]); });
+#endif
+  }
+
+  /// Bit i: a > b on axis i; never for NaN.
+  friend unsigned Above(const AxisLanes& a, const AxisLanes& b)
+  {
+    unsigned bits = 0;
+    ForEachAxis<Count>(
+      [&](int i) { bits |= skd::Above(a.Registers[i], b.Registers[i]) << (i * NativeDoubles); });
     return bits & LowBits(D);
   }
 

@@ -7,6 +7,8 @@
 #ifndef skd_Tree_Lanes_h
 #define skd_Tree_Lanes_h
 
+#include "../../Geometry/ForEachAxis.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -262,12 +264,32 @@ DoubleVector LoadDoubles(const double* values)
   return LoadDoubles(padded);
 }
 
-inline double LaneOf(const DoubleVector& values, int lane)
+#if defined(SKD_PLAIN_LANES) || !defined(__GNUC__)
+inline double LaneOf(DoubleVector values, int)
 {
-  double stored[NativeDoubles];
-  std::memcpy(stored, &values, sizeof(values));
-  return stored[lane];
+  return values;
 }
+template <class At>
+DoubleVector DoublesOf(const At& at)
+{
+  return at(0);
+}
+#else
+inline double LaneOf(DoubleVector values, int lane)
+{
+  return values[lane];
+}
+/// at(0), at(1) ... side by side. Floats are made doubles all at once.
+template <class At>
+DoubleVector DoublesOf(const At& at)
+{
+  using Number = decltype(at(0));
+  typedef Number Numbers __attribute__((vector_size(sizeof(Number) * NativeDoubles)));
+  Numbers numbers;
+  ForEachAxis<NativeDoubles>([&](int lane) { numbers[lane] = at(lane); });
+  return __builtin_convertvector(numbers, DoubleVector);
+}
+#endif
 
 inline double SquareRoot(double value)
 {
@@ -357,6 +379,23 @@ inline unsigned SignBits(DoubleVector a)
 #endif
 }
 #endif
+
+/// Bit i is set where a > b in lane i; never for NaN.
+inline unsigned Above(DoubleVector a, DoubleVector b)
+{
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__)
+  return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_GT_OQ)));
+#elif !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_pd(_mm_cmpgt_pd(a, b)));
+#else
+  unsigned bits = 0;
+  for (int i = 0; i < NativeDoubles; ++i)
+  {
+    bits |= (LaneOf(a, i) > LaneOf(b, i) ? 1u : 0u) << i;
+  }
+  return bits;
+#endif
+}
 
 /// Whether a <= b in every lane; false with NaN.
 inline bool AllLessEqual(DoubleVector a, DoubleVector b)
