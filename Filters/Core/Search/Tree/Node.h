@@ -97,7 +97,7 @@ struct BoxPacket
 /// of an inner node are the nodes First .. First + Count - 1, those of a leaf the elements
 /// at these positions.
 template <int D>
-struct alignas(32) Node
+struct alignas(64) Node
 {
   static constexpr int Width = 8;
 
@@ -107,7 +107,7 @@ struct alignas(32) Node
   bool IsLeaf = false;
   std::uint32_t Tag = NoTag; ///< what the tree's owner keeps of the elements below
   /// The owner's, too, in what would be padding; not set until it sets it.
-  alignas(std::uint32_t) unsigned char Note[20];
+  alignas(std::uint32_t) unsigned char Note[32];
 
   static constexpr std::uint32_t NoTag = 0xffffffffu;
   /// A bit for each lane in use.
@@ -128,20 +128,17 @@ struct alignas(32) Node
   }
 };
 
-/// Marks children of an inner node that are leaves whose elements are given by the leaf's number,
-/// in the order of the elements (Tree::LeafAt), so that a traversal need not open them. Nodes with
-/// this mark also have a tag.
+/// What a traversal opens of an inner node's children: nodes, or leaves whose elements are given by
+/// the leaf's number, in the order of the elements (Tree::LeafAt), so that it need not open them.
+/// Nodes with this mark also have a tag.
 struct KnownLeaves
 {
-  static constexpr std::uint16_t Unknown = 0xffffu;
+  static constexpr std::uint32_t Mark = 0x80000000u;
 
-  std::uint32_t Number = 0; ///< of the first child's first leaf
-  /// How much greater that of each child is that is a leaf, so known.
-  std::uint16_t Beyond[8] = { Unknown, Unknown, Unknown, Unknown, Unknown, Unknown, Unknown,
-    Unknown };
+  std::uint32_t Entries[8]; ///< by lane: the index of a node, or the number of a leaf and the mark
 
-  bool IsKnown(int lane) const { return this->Beyond[lane] != Unknown; }
-  std::uint32_t NumberOf(int lane) const { return this->Number + this->Beyond[lane]; }
+  bool IsKnown(int lane) const { return (this->Entries[lane] & Mark) != 0; }
+  std::uint32_t NumberOf(int lane) const { return this->Entries[lane] & ~Mark; }
 };
 
 ///@{

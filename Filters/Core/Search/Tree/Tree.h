@@ -60,18 +60,16 @@ public:
   /// The number of a leaf, in the order of the elements; its elements.
   std::uint32_t NumberOf(const Node<D>& leaf) const { return leaf.First / this->Leaves.Capacity; }
   ElementRange LeafAt(std::uint32_t number) const { return this->Leaves.At(number); }
-  /// See KnownLeaves. Of a node high above, only the first children are returned.
+  /// See KnownLeaves.
   KnownLeaves LeavesBelow(const Node<D>& inner) const
   {
     KnownLeaves known;
-    known.Number = this->FirstLeaf(inner.First);
-    for (std::uint32_t lane = 0; lane < inner.Count; ++lane)
+    for (std::uint32_t lane = 0; lane < Node<D>::Width; ++lane)
     {
-      const std::uint32_t beyond = this->FirstLeaf(inner.First + lane) - known.Number;
-      if (beyond < KnownLeaves::Unknown && this->Nodes[inner.First + lane].IsLeaf)
-      {
-        known.Beyond[lane] = static_cast<std::uint16_t>(beyond);
-      }
+      const std::uint32_t child = inner.First + lane;
+      known.Entries[lane] = lane < inner.Count && this->Nodes[child].IsLeaf
+        ? this->NumberOf(this->Nodes[child]) | KnownLeaves::Mark
+        : child;
     }
     return known;
   }
@@ -90,7 +88,7 @@ public:
     {
       if (!node.IsLeaf && node.First >= first)
       {
-        node.First = first + node.template Read<KnownLeaves>().Number;
+        node.First = first + node.template Read<KnownLeaves>().NumberOf(0);
       }
     }
   }
@@ -119,15 +117,6 @@ public:
   }
 
 private:
-  std::uint32_t FirstLeaf(std::uint32_t index) const
-  {
-    while (!this->Nodes[index].IsLeaf)
-    {
-      index = this->Nodes[index].First;
-    }
-    return this->NumberOf(this->Nodes[index]);
-  }
-
   int DepthFrom(std::uint32_t index) const
   {
     if (index >= this->Nodes.size()) // a leaf that was dropped

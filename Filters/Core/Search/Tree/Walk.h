@@ -72,7 +72,7 @@ struct KnowsSure<Query, std::void_t<decltype(&Query::VisitSure)>> : std::true_ty
 /// need not be opened and a mark.
 using QueueEntry = std::uint64_t;
 
-constexpr std::uint32_t Mark = 0x80000000u;
+constexpr std::uint32_t Mark = KnownLeaves::Mark;
 
 inline bool IsMarked(QueueEntry entry)
 {
@@ -183,13 +183,17 @@ private:
     {
       sure = isSure ? lanes : this->TheQuery.SureOf(node);
     }
-    const KnownLeaves& leaves = this->LeavesOf(node);
+    [[maybe_unused]] bool isKnown = false;
+    if constexpr (Skips)
+    {
+      isKnown = this->TheQuery.Knows(node);
+    }
     const auto entryOf = [&](int lane)
     {
       std::uint32_t index = node.First + static_cast<std::uint32_t>(lane);
       if constexpr (Skips)
       {
-        index = leaves.IsKnown(lane) ? leaves.NumberOf(lane) | Mark : index;
+        index = isKnown ? node.template Read<KnownLeaves>().Entries[lane] : index;
       }
       else if constexpr (Sure)
       {
@@ -221,16 +225,6 @@ private:
       first = std::min(first, entry);
     }
     return first;
-  }
-
-  const KnownLeaves& LeavesOf(const Node& node) const
-  {
-    static constexpr KnownLeaves none;
-    if constexpr (Skips)
-    {
-      return this->TheQuery.Knows(node) ? node.template Read<KnownLeaves>() : none;
-    }
-    return none;
   }
 
   /// Keeps what is on the stack from `bottom` on in order.
