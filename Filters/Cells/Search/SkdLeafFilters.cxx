@@ -366,14 +366,15 @@ void SkdLeafFilters::Arrays::FillTriangles(
   SharedPoints shared{ store };
   for (int lane = 0; lane < Node::Width; ++lane)
   {
-    // Lanes that are not in use have boxes, too: those of the first triangle.
-    const auto used = static_cast<std::uint32_t>(lane < leaf.Count ? lane : 0);
+    // Lanes that are not in use have the box of the first triangle, and points of no triangle.
+    const bool isUsed = lane < leaf.Count;
+    const auto used = static_cast<std::uint32_t>(isUsed ? lane : 0);
     const std::uint32_t* ids = store.PointIdsOf(tree.Element(leaf.First + used));
     for (int corner = 0; corner < 3; ++corner)
     {
       const skd::Vector3 world = store.Point(ids[corner]);
       packet.Set(corner, lane, tree.GetFrame().Local(world));
-      packet.PointOf[lane][corner] = shared.SlotOf(ids[corner]);
+      packet.PointOf[lane][corner] = shared.SlotOf(ids[isUsed ? corner : 0]);
     }
   }
   packet.FirstPoint = shared.Count;

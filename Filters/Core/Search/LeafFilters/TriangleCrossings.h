@@ -44,11 +44,12 @@ public:
     const float x = perUnit * static_cast<float>(this->X - (centre[shear.X] - shear.SlopeX * z));
     const float y = perUnit * static_cast<float>(this->Y - (centre[shear.Y] - shear.SlopeY * z));
     // A corner's error in the plane across the line, and what that does to products of two corners.
-    const float extent = 2.0f * QuantizationGrid::Largest + std::max(std::abs(x), std::abs(y));
-    constexpr float rounding = 2.0f * static_cast<float>(QuantizationGrid::CornerError);
+    // A line that meets any of the triangles is, but for the error, no farther away than corners.
+    constexpr float extent = 4.0f * QuantizationGrid::Largest;
     // The last quarter is for the sums of products.
-    const float error =
-      rounding + this->TwoMargins * perUnit + 1.25f * tolerances::CrossingSum * extent;
+    constexpr float rounding = 2.0f * static_cast<float>(QuantizationGrid::CornerError) +
+      1.25f * tolerances::CrossingSum * extent;
+    const float error = rounding + this->TwoMargins * perUnit;
     const float slack = (error + error) * (extent + extent + error);
     const Rows rows{ { packet, shear.X }, { packet, shear.Y }, { packet, shear.Z } };
     unsigned met = 0;

@@ -103,11 +103,12 @@ public:
     return this->Crossings.MayIntersect(this->Of(number)) & LowBits(count);
   }
 
-private:
+protected:
   TriangleCrossings Crossings;
 };
 
-/// The same of a tree whose packets have points: every node is known.
+/// The same of a tree whose packets have points: every node is known. Lanes that are not in use
+/// have triangles of no area.
 class LineLeafFilterOfAll : public LineLeafFilter
 {
 public:
@@ -117,6 +118,11 @@ public:
   static constexpr bool Knows(const Node&)
   {
     return true;
+  }
+  unsigned Pass(std::uint32_t number, std::uint32_t, float*, float&) const
+  {
+    this->FetchPoints(number);
+    return this->Crossings.MayIntersect(this->Of(number));
   }
 };
 
