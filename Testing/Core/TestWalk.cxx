@@ -229,7 +229,7 @@ public:
     {
       skd::Node<1>& node = this->Nodes[level];
       node.Boxes.Clear();
-      node.Count = 8;
+      node.SetCount(8);
       node.IsLeaf = level == Levels;
       for (int lane = 0; lane < 8; ++lane)
       {

@@ -36,7 +36,7 @@ SKD_NOINLINE inline const Node<3>& CompactTree::Make(
   const ElementRange elements = this->LeafAt(number);
   room.Tag = wantsBoxes ? tag : Node<3>::NoTag;
   room.First = elements.First;
-  room.Count = static_cast<std::uint16_t>(elements.Count);
+  room.SetCount(elements.Count);
   room.IsLeaf = true;
   if (wantsBoxes && this->Corners.Triangles)
   {

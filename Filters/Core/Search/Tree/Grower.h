@@ -96,8 +96,8 @@ public:
       this->FillLeaf(made, range);
       return;
     }
-    made.Count =
-      static_cast<std::uint16_t>(this->IsByArea ? std::min(Width, leaves) : CountChildren(leaves));
+    made.SetCount(
+      static_cast<std::uint32_t>(this->IsByArea ? std::min(Width, leaves) : CountChildren(leaves)));
     made.First = this->PlaceOfChildren(made.Count, leaves);
     push(Task{ node, 0, made.Count, range });
   }
@@ -270,7 +270,7 @@ private:
   void FillLeaf(Node<D>& leaf, const Range& range)
   {
     leaf.First = range.First;
-    leaf.Count = static_cast<std::uint16_t>(range.Last - range.First);
+    leaf.SetCount(static_cast<std::uint32_t>(range.Last - range.First));
     for (int lane = 0; lane < leaf.Count; ++lane)
     {
       leaf.Boxes.Set(lane, this->Elements[range.First + static_cast<std::uint32_t>(lane)].Box);

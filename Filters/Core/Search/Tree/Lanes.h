@@ -181,7 +181,7 @@ inline int LowestBit(unsigned bits)
 inline int HighestBit(unsigned bits)
 {
 #if defined(__GNUC__)
-  return 31 - __builtin_clz(bits);
+  return 31 ^ __builtin_clz(bits); // of which GCC makes one instruction
 #else
   int highest = 31;
   while ((bits >> highest & 1u) == 0)

@@ -103,15 +103,20 @@ struct alignas(64) Node
 
   BoxPacket<D, Width> Boxes;
   std::uint32_t First = 0;
-  std::uint16_t Count = 0;
+  std::uint8_t Count = 0;
+  std::uint8_t InUse = 0; ///< a bit for each in use
   bool IsLeaf = false;
   std::uint32_t Tag = NoTag; ///< what the tree's owner keeps of the elements below
   /// The owner's, too, in what would be padding; not set until it sets it.
   alignas(std::uint32_t) unsigned char Note[32];
 
   static constexpr std::uint32_t NoTag = 0xffffffffu;
-  /// A bit for each lane in use.
-  unsigned Occupied() const { return LowBits(this->Count); }
+  void SetCount(std::uint32_t count)
+  {
+    this->Count = static_cast<std::uint8_t>(count);
+    this->InUse = static_cast<std::uint8_t>(LowBits(count));
+  }
+  unsigned Occupied() const { return this->InUse; }
 
   template <class T>
   void Write(const T& note)

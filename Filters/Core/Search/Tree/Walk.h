@@ -203,7 +203,7 @@ private:
     };
     if constexpr (!Query::Ordered)
     {
-      for (; (lanes & (lanes - 1)) != 0; lanes &= ~(1u << HighestBit(lanes)))
+      for (; (lanes & (lanes - 1)) != 0; lanes &= LowBits(HighestBit(lanes)))
       {
         *this->Top++ = this->Fetched(entryOf(HighestBit(lanes)));
       }
