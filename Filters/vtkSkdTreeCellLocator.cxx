@@ -151,7 +151,11 @@ int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2
   subId = hit.SubId;
   const skd::Vector3 point = skd::Lerp(SkdVector(p1), SkdVector(p2), t);
   const skd::RigidMotion* motion = this->Impl->GetMotion();
-  SkdStore(motion ? tree.MovedPCoords(motion, cellId, point, hit.PCoords) : hit.PCoords, pcoords);
+  SkdStore(hit.PCoords, pcoords);
+  if (motion)
+  {
+    SkdStore(tree.MovedPCoords(motion, cellId, point, hit.PCoords), pcoords);
+  }
   SkdStore(point, x);
   this->Impl->Load(tree, this->UseExistingSearchStructure, this->DataSet, cellId, cell);
   return 1;

@@ -172,13 +172,18 @@ void SkdCellTree::WalkAlong(const skd::Segment<3>& segment, double margin, Visit
 {
   const auto wide = [&](const SkdWideTree& tree)
   { SkdWideWalks::AlongSegment(tree, &segment, margin, InOrder, SkdWideVisitor::Of(visitor)); };
-  if (!this->WalkWide(wide))
+  // Walks that are inlined would take their stacks from all that calls them.
+  const auto narrow = [&]() SKD_NOINLINE
   {
     using LeafFilter = skd::LineLeafFilter;
     const skd::Shear shear(segment.B - segment.A);
     skd::AlongSegment<3, Visitor, LeafFilter, InOrder> query(
       this->GetFrame(), segment, margin, visitor, this->Packets, shear);
     this->Walk(query);
+  };
+  if (!this->WalkWide(wide))
+  {
+    narrow();
   }
 }
 
@@ -196,9 +201,11 @@ bool SkdCellTree::VisitTriangleHits(
     SkdWideWalks::VisitTriangleHits(
       tree, &segment, tolerance, InOrder, SkdWideHits::Of<skd::TriangleHit>(visitor));
   };
+  const auto narrow = [&]() SKD_NOINLINE
+  { skd::VisitTriangleHits<InOrder>(this->View, this->Packets, segment, tolerance, visitor); };
   if (!this->WalkWide(wide))
   {
-    skd::VisitTriangleHits<InOrder>(this->View, this->Packets, segment, tolerance, visitor);
+    narrow();
   }
   return true;
 }
@@ -267,15 +274,12 @@ bool SkdCellTree::FindFirstHits(
 SkdHitCell SkdCellTree::FindFirstHit(
   const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const
 {
-  if (this->Distinct)
-  {
-    return this->Distinct->FindFirstHit(segment, tolerance, source);
-  }
+  const SkdCellTree& tree = this->WithoutEqual();
   SkdHitCell first;
   const double maxDistance = std::max(tolerance, 0.0);
   const auto take = [&](std::uint32_t cell, const SkdLineHit& hit)
   {
-    const SkdHitCell found = WithId(hit, this->Store.IdOf(cell));
+    const SkdHitCell found = WithId(hit, tree.Store.IdOf(cell));
     if (first.Id < 0 || IsBefore(found, first))
     {
       first = found;
@@ -284,7 +288,7 @@ SkdHitCell SkdCellTree::FindFirstHit(
   };
   auto takeTriangle = [&](std::uint32_t cell, const skd::TriangleHit& hit)
   { return take(cell, SkdTriangleKernel::From(hit)); };
-  if (this->VisitTriangleHits<true>(segment, maxDistance, takeTriangle))
+  if (tree.VisitTriangleHits<true>(segment, maxDistance, takeTriangle))
   {
     return first;
   }
@@ -295,10 +299,10 @@ SkdHitCell SkdCellTree::FindFirstHit(
   }
   auto visitor = [&](std::uint32_t cell)
   {
-    const auto hit = this->Hit(cell, view, maxDistance, source);
+    const auto hit = tree.Hit(cell, view, maxDistance, source);
     return hit ? take(cell, *hit) : (first.Id < 0 ? 1.0 : first.T);
   };
-  this->WalkAlong<true>(segment, maxDistance, visitor);
+  tree.WalkAlong<true>(segment, maxDistance, visitor);
   return first;
 }
 

@@ -8,6 +8,7 @@
 #include "Lanes.h"
 
 #include <cstring>
+#include <type_traits>
 
 namespace skd
 {
@@ -68,9 +69,20 @@ public:
   /// The same, each for every lane of operations on boxes.
   friend void SpreadOut(const AxisLanes& from, Spread* to)
   {
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__)
+    static_assert(std::is_same_v<Spread, float>, "as they are stored");
+    ForEachAxis<Count>(
+      [&](int i)
+      {
+        StoreAs(from.Registers[i], to + i * NativeDoubles);
+        // GCC 12 would take them out of the register again, one by one.
+        __asm__("" : "+m"(*reinterpret_cast<float(*)[NativeDoubles]>(to + i * NativeDoubles)));
+      });
+#else
     float values[Room];
     from.StorePadded(values);
     ForEachAxis<Room>([&](int i) { to[i] = Spread(values[i]); });
+#endif
   }
 
   friend AxisLanes operator+(const AxisLanes& a, const AxisLanes& b)
@@ -81,7 +93,10 @@ public:
   {
     return Map(a, b, [](DoubleVector x, DoubleVector y) { return x - y; });
   }
-  AxisLanes operator-() const { return AxisLanes(0.0) - *this; }
+  AxisLanes operator-() const
+  {
+    return AxisLanes(0.0) - *this;
+  }
   friend AxisLanes operator*(const AxisLanes& a, const AxisLanes& b)
   {
     return Map(a, b, [](DoubleVector x, DoubleVector y) { return x * y; });
