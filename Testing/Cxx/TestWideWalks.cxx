@@ -8,6 +8,9 @@
 
 #include "Cells/Search/SkdWideWalks.h"
 
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -117,6 +120,29 @@ TEST_P(WideWalks, GiveTheAnswersOfTheOthers)
     ASSERT_NO_FATAL_FAILURE(ExpectEqual(wide, Ask(locator, positions[i], positions[i + 1]))) << i;
     ASSERT_FALSE(HasFailure()) << "between places " << i << " and " << i + 1;
   }
+}
+
+std::vector<vtkIdType> PairsOf(vtkSkdTreeCellLocator* locator, vtkSkdTreeCellLocator* other)
+{
+  vtkNew<vtkIdTypeArray> pairs;
+  locator->FindPairs(other, pairs);
+  return { pairs->GetPointer(0), pairs->GetPointer(0) + pairs->GetNumberOfValues() };
+}
+
+TEST_P(WideWalks, FindThePairsOfTheOthersInTheirOrder)
+{
+  const auto locator = MakeLocator(GetParam().Make());
+  std::size_t found = 0;
+  for (const NamedMesh& mesh : AllMeshes())
+  {
+    const auto other = MakeLocator(mesh.Make());
+    SkdWideWalks::TurnOn(true);
+    const std::vector<vtkIdType> wide = PairsOf(locator, other);
+    SkdWideWalks::TurnOn(false);
+    EXPECT_EQ(wide, PairsOf(locator, other)) << mesh.Name;
+    found += wide.size();
+  }
+  EXPECT_GT(found, 0u);
 }
 
 TEST(WideWalksSwitch, TurnsThemOffAndOn)

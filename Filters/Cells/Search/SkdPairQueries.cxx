@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 namespace skdtree
 {
@@ -36,11 +37,10 @@ struct Keeper
 };
 
 /// The walk over two trees in parts that are the same whatever the number of threads, in parallel.
-/// isPair(a, b) decides about two cells whose safety boxes overlap, or nearly; what it looks at is
-/// smaller than these by at most `excess`.
-template <class First, class Second, class ToFirst, class IsPair>
+/// walkPart(start, found) walks one of them by AVX2, if it can; else it returns false.
+template <class First, class Second, class ToFirst, class IsPair, class WalkPart>
 std::vector<CellPairs> WalkInParts(const First& first, const Second& second, const ToFirst& toFirst,
-  const IsPair& isPair, double excess)
+  const IsPair& isPair, double excess, const WalkPart& walkPart)
 {
   using Parts = skd::OverlapParts<3, First, Second, ToFirst, Keeper<IsPair>>;
   constexpr std::size_t enough = 256;
@@ -52,7 +52,10 @@ std::vector<CellPairs> WalkInParts(const First& first, const Second& second, con
     {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        parts.Visit(i, i + 1, { isPair, found[i] });
+        if (!walkPart(parts.StartOf(i), found[i]))
+        {
+          parts.Visit(i, i + 1, { isPair, found[i] });
+        }
       }
     });
   return found;
@@ -60,14 +63,42 @@ std::vector<CellPairs> WalkInParts(const First& first, const Second& second, con
 }
 
 //------------------------------------------------------------------------------
+/// isPair(a, b) decides about two cells whose safety boxes overlap, or nearly; what it looks at is
+/// smaller than these by at most `excess`.
 template <class ToFirst, class IsPair>
 std::vector<CellPairs> SkdCellTree::FindPairs(
   const SkdCellTree& other, const ToFirst& toFirst, const IsPair& isPair, double excess) const
 {
+  const auto walkPart = [&](const skd::TreePair<3>& start, CellPairs& found)
+  {
+    bool isDone = false;
+    if constexpr (std::is_same_v<ToFirst, skd::SameWorld>)
+    {
+      const Keeper<IsPair> keep{ isPair, found };
+      const auto take = [&keep, &found](const SkdWidePair* pairs, int count)
+      {
+        if (found.empty())
+        {
+          found.reserve(static_cast<std::size_t>(count));
+        }
+        std::for_each(pairs, pairs + count,
+          [&keep](const SkdWidePair& pair) { keep(pair.First, pair.Second, pair.IsSure); });
+      };
+      this->WalkWide(
+        [&](const SkdWideTree& mine)
+        {
+          isDone = other.WalkWide(
+            [&](const SkdWideTree& theirs) {
+              SkdWideWalks::OverlappingPairs(mine, theirs, &start, excess, SkdWidePairs::Of(take));
+            });
+        });
+    }
+    return isDone;
+  };
   const auto withOther = [&](const auto& mine)
   {
-    return other.Lazy ? WalkInParts(mine, *other.Lazy, toFirst, isPair, excess)
-                      : WalkInParts(mine, other.View, toFirst, isPair, excess);
+    return other.Lazy ? WalkInParts(mine, *other.Lazy, toFirst, isPair, excess, walkPart)
+                      : WalkInParts(mine, other.View, toFirst, isPair, excess, walkPart);
   };
   return this->Lazy ? withOther(*this->Lazy) : withOther(this->View);
 }

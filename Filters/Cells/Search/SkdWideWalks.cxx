@@ -22,11 +22,13 @@
 #include "Core/Search/Queries/AlongSegment.h"
 #include "Core/Search/Queries/Nearest.h"
 #include "Core/Search/Queries/OverlappingBox.h"
+#include "Core/Search/Queries/OverlappingPairs.h"
 #include "Core/Search/Queries/PacketHits.h"
 #include "Core/Search/Queries/TriangleHits.h"
 #include "Core/Search/Queries/WithinBox.h"
 #include "Core/Search/Tree/TreeView.h"
 #include "Core/Search/Tree/Walk.h"
+#include "Core/Search/Tree/WalkPairs.h"
 
 namespace skdtree
 {
@@ -58,6 +60,39 @@ struct GoesOn
   bool operator()(std::uint32_t cell) const { return this->Visitor(cell) >= 0.0; }
 
   const SkdWideVisitor& Visitor;
+};
+
+/// Hands pairs over some at a time.
+class PairBuffer
+{
+public:
+  explicit PairBuffer(const SkdWidePairs& visitor)
+    : Visitor(visitor)
+  {
+  }
+
+  bool operator()(std::uint32_t a, std::uint32_t b, bool isSure)
+  {
+    this->Pairs[this->Count++] = { a, b, isSure };
+    if (this->Count == Most)
+    {
+      this->Flush();
+    }
+    return true;
+  }
+
+  SKD_NOINLINE void Flush()
+  {
+    this->Visitor.Call(this->Visitor.Self, this->Pairs, this->Count);
+    this->Count = 0;
+  }
+
+private:
+  static constexpr int Most = 128;
+
+  const SkdWidePairs& Visitor;
+  int Count = 0;
+  SkdWidePair Pairs[Most];
 };
 
 template <bool OnlyNearest>
@@ -130,6 +165,21 @@ SKD_FLATTEN void SkdWideWalks::OverlappingBox(const SkdWideTree& tree, const voi
   skd::OverlappingBox<3, const GoesOn, const GoesOn> query(
     view.GetFrame(), *static_cast<const skd::Box3*>(box), excess, visit, take);
   skd::Walk(view, query);
+}
+
+//------------------------------------------------------------------------------
+SKD_FLATTEN void SkdWideWalks::OverlappingPairs(const SkdWideTree& first, const SkdWideTree& second,
+  const void* start, double excess, const SkdWidePairs& visitor)
+{
+  using Query = skd::OverlappingPairs<3, skd::SameWorld, PairBuffer>;
+  const skd::CompactTree& view = ViewOf(first);
+  const skd::CompactTree& other = ViewOf(second);
+  const skd::SameWorld world;
+  PairBuffer buffer(visitor);
+  Query query(view.GetFrame(), other.GetFrame(), world, buffer, excess);
+  skd::PairWalk<skd::CompactTree, skd::CompactTree, Query> walk(view, other, query);
+  walk.RunFrom(*static_cast<const skd::TreePair<3>*>(start));
+  buffer.Flush();
 }
 
 //------------------------------------------------------------------------------

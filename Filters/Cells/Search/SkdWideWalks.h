@@ -71,6 +71,29 @@ struct SkdWidePacketHits
   void* Self;
 };
 
+/// Two cells, and whether they are a pair for sure.
+struct SkdWidePair
+{
+  std::uint32_t First;
+  std::uint32_t Second;
+  bool IsSure;
+};
+
+/// Receives some of the pairs that a walk finds, in turn.
+struct SkdWidePairs
+{
+  template <class Visitor>
+  static SkdWidePairs Of(const Visitor& visitor)
+  {
+    return { [](const void* self, const SkdWidePair* pairs, int count)
+      { (*static_cast<const Visitor*>(self))(pairs, count); },
+      &visitor };
+  }
+
+  void (*Call)(const void*, const SkdWidePair*, int);
+  const void* Self;
+};
+
 /// skd::Nearest, skd::AlongSegment and skd::VisitTriangleHits with the leaf filters of
 /// Core/Search/LeafFilters/TriangleLeafFilters.h, and skd::WithinBox of a point with that of
 /// PlaneLeafFilter.h.
@@ -91,6 +114,9 @@ public:
   /// skd::OverlappingBox; `box`: skd::Box3
   static void OverlappingBox(const SkdWideTree& tree, const void* box, double excess,
     const SkdWideVisitor& visitor, const SkdWideVisitor& sure);
+  /// skd::OverlappingPairs of trees in one world, from `start` on: skd::TreePair<3>
+  static void OverlappingPairs(const SkdWideTree& first, const SkdWideTree& second,
+    const void* start, double excess, const SkdWidePairs& visitor);
   /// `segment`: skd::Segment<3>
   static void AlongSegment(const SkdWideTree& tree, const void* segment, double margin,
     bool inOrder, const SkdWideVisitor& visitor);

@@ -36,6 +36,8 @@ public:
   }
 
   std::size_t size() const { return this->Starts.size(); }
+  /// Where the walk of a part begins.
+  const TreePair<D>& StartOf(std::size_t part) const { return this->Starts[part]; }
 
   /// Visits the pairs of the parts from one to before another. Thread-safe.
   void Visit(std::size_t begin, std::size_t end, Visitor visitor) const
@@ -76,7 +78,7 @@ private:
   const ToFirst& Map;
   const bool IsWithinOne;
   const double Excess;
-  std::vector<typename Walk::Pair> Starts;
+  std::vector<TreePair<D>> Starts;
 };
 
 }

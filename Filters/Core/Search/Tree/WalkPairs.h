@@ -10,6 +10,20 @@
 namespace skd
 {
 
+/// Nodes or elements of two trees, and their boxes, both seen in the first's frame.
+template <int D>
+struct TreePair
+{
+  struct Side
+  {
+    Reference What;
+    FloatBox<D> Box;
+  };
+
+  Side A;
+  Side B;
+};
+
 /// The traversal of a pair of trees (Algorithm 5.4).
 ///
 /// A Query gives
@@ -49,17 +63,8 @@ public:
   }
 
   static constexpr int D = Query::Dimension;
-
-  struct Side
-  {
-    Reference What;
-    FloatBox<D> Box;
-  };
-  struct Pair
-  {
-    Side A;
-    Side B;
-  };
+  using Pair = TreePair<D>;
+  using Side = typename Pair::Side;
 
   void Run()
   {
@@ -158,10 +163,9 @@ private:
     {
       return this->OpenFirst(this->OpenA(pair.A.What), pair.B);
     }
-    const Node<D>& node = OpenIn(this->Second, pair.B.What.Index(), this->RoomOfB, true, 0);
-    return hasA && sizeB <= 2.0f * sizeA
-      ? this->OpenEach(this->OpenA(pair.A.What), node, pair.A.Box)
-      : this->OpenSecond(pair.A, node);
+    this->OpenB(pair.B.What);
+    return hasA && sizeB <= 2.0f * sizeA ? this->OpenEach(this->OpenA(pair.A.What), pair.A.Box)
+                                         : this->OpenSecond(pair.A);
   }
 
   const Node<D>& OpenA(const Reference& what)
@@ -169,9 +173,24 @@ private:
     return OpenIn(this->First, what.Index(), this->RoomOfA, true, 0);
   }
 
+  /// The same node of the second tree is met beside many of the first in turn.
+  void OpenB(const Reference& what)
+  {
+    if (!this->NodeB || !(this->WhatB == what))
+    {
+      this->NodeB = &OpenIn(this->Second, what.Index(), this->RoomOfB, true, 0);
+      this->BoxesOfB = this->TheQuery.ToFirst(this->NodeB->Boxes);
+      this->WhatB = what;
+    }
+  }
+
   bool OpenFirst(const Node<D>& node, const Side& b)
   {
     const unsigned lanes = this->TheQuery.Overlapping(node.Boxes, b.Box) & node.Occupied();
+    if (lanes == 0)
+    {
+      return true;
+    }
     const bool areElements = node.IsLeaf && b.What.IsElement();
     const unsigned sure = areElements ? this->TheQuery.SureOf(node.Boxes, b.Box) : 0;
     return ForEachLane(lanes,
@@ -179,9 +198,10 @@ private:
       { return this->Consider(SideOf(node, node.Boxes, lane), b, (sure >> lane & 1u) != 0); });
   }
 
-  bool OpenSecond(const Side& a, const Node<D>& node)
+  bool OpenSecond(const Side& a)
   {
-    const auto boxes = this->TheQuery.ToFirst(node.Boxes);
+    const Node<D>& node = *this->NodeB;
+    const auto& boxes = this->BoxesOfB;
     const unsigned lanes = this->TheQuery.Overlapping(boxes, a.Box) & node.Occupied();
     const bool areElements = node.IsLeaf && a.What.IsElement();
     const unsigned sure = areElements ? this->TheQuery.SureOf(boxes, a.Box) : 0;
@@ -190,12 +210,12 @@ private:
       { return this->Consider(a, SideOf(node, boxes, lane), (sure >> lane & 1u) != 0); });
   }
 
-  bool OpenEach(const Node<D>& first, const Node<D>& second, const FloatBox<D>& firstBox)
+  bool OpenEach(const Node<D>& first, const FloatBox<D>& firstBox)
   {
-    const auto boxes = this->TheQuery.ToFirst(second.Boxes);
-    const unsigned lanes = this->TheQuery.Overlapping(boxes, firstBox) & second.Occupied();
-    return ForEachLane(
-      lanes, [&](int lane) { return this->OpenFirst(first, SideOf(second, boxes, lane)); });
+    const Node<D>& second = *this->NodeB;
+    const unsigned lanes = this->TheQuery.Overlapping(this->BoxesOfB, firstBox) & second.Occupied();
+    return ForEachLane(lanes,
+      [&](int lane) { return this->OpenFirst(first, SideOf(second, this->BoxesOfB, lane)); });
   }
 
   /// Each lane with itself and those after it. An element is not a pair with itself.
@@ -265,6 +285,9 @@ private:
   bool IsSplitting = false;
   Node<D> RoomOfA; ///< of leaves that the trees do not store
   Node<D> RoomOfB;
+  const Node<D>* NodeB = nullptr; ///< that of the second tree opened last: WhatB
+  Reference WhatB;
+  BoxPacket<D, Node<D>::Width> BoxesOfB; ///< its boxes, seen in the first's frame
   std::vector<Pair> Stack;
 };
 
