@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace skdtree
@@ -23,7 +24,8 @@ using skd::Vector3;
 
 struct Entry
 {
-  vtkIdType Row;
+  std::uint32_t Row;
+  std::uint32_t Donor;
   vtkIdType Point;
   double Weight;
 };
@@ -182,7 +184,8 @@ bool DropRounding(SkdOverlapPointTable& table)
   return hasNegative;
 }
 
-/// By rows, then points; those of one row and point are summed up in the order of the parts.
+/// By rows, then points; those of one row and point are summed up in the order of the donor's
+/// cells, which is the same of a part of the donor, whatever its tree.
 void FillTable(
   const std::vector<std::vector<Entry>>& parts, vtkIdType numberOfRows, SkdOverlapPointTable& table)
 {
@@ -193,7 +196,11 @@ void FillTable(
   }
   std::stable_sort(all.begin(), all.end(),
     [](const Entry& a, const Entry& b)
-    { return a.Row != b.Row ? a.Row < b.Row : a.Point < b.Point; });
+    {
+      return a.Row != b.Row  ? a.Row < b.Row
+        : a.Point != b.Point ? a.Point < b.Point
+                             : a.Donor < b.Donor;
+    });
   table.Rows.assign(static_cast<std::size_t>(numberOfRows) + 1, 0);
   for (std::size_t i = 0; i < all.size(); ++i)
   {
@@ -237,7 +244,7 @@ bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlap
     Weighing weighing(donors, b);
     const double share = shares.empty() ? 1.0 : shares[static_cast<std::size_t>(donors.IdOf(b))];
     const auto add = [&](vtkIdType point, double weight) {
-      found[part].push_back({ targets.IdOf(a), point, weight });
+      found[part].push_back({ static_cast<std::uint32_t>(targets.IdOf(a)), b, point, weight });
     };
     SkdForEachPiecePair(targets, a, donors, b,
       [&](const SkdPieceView& one, const SkdPieceView& simplex)
