@@ -224,6 +224,7 @@ bool vtkSkdTreeRemap::NeedsNearbySource(SkdSearchRange& range)
   range.IsOfNearSurfaces = !isContained && this->Method != INTERPOLATION &&
     (this->Geometry == CURVED_SURFACE ||
       (this->Geometry == AUTOMATIC_GEOMETRY && this->Method != AUTOMATIC_METHOD));
+  range.IsUnlessFlat = this->Geometry == AUTOMATIC_GEOMETRY && !isInDegrees;
   range.Distance = range.IsOfNearSurfaces ? this->SurfaceDistance : 0.0;
   return !(isInterpolated && range.Directions == SkdByDirections::Always) &&
     !(range.IsOfSamples && range.WithNearest && hasGaps) &&

@@ -13,6 +13,7 @@
 #include <array>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace skdtree
 {
@@ -36,7 +37,7 @@ public:
     , Reader(piece)
     , Likes(likes)
     , Numbers(numbers)
-    , Surface(facts.AreSurfaces() ? vtkPolyData::SafeDownCast(piece) : nullptr)
+    , Kinds(facts.AreSurfaces() ? vtkPolyData::SafeDownCast(piece) : nullptr)
     , GlobalIds(facts.HaveCellIds() ? piece->GetCellData()->GetGlobalIds() : nullptr)
     , AreByIds(facts.HaveCellIds())
     , Counts(static_cast<std::size_t>(piece->GetNumberOfCells()), 1)
@@ -49,10 +50,16 @@ public:
     this->AreByIds ? this->NumberByGlobalIds() : this->NumberInOrder();
   }
 
+  std::vector<unsigned char> FindCounted()
+  {
+    this->LeaveOutRepeated();
+    return std::move(this->Counts);
+  }
+
 private:
   using Ids = SkdRowsByProcess<vtkIdType>;
 
-  int KindOf(vtkIdType cell) const { return this->Surface ? SkdKindOf(this->Surface, cell) : 0; }
+  int KindOf(vtkIdType cell) const { return this->Kinds.Of(cell); }
   vtkIdType GlobalIdOf(vtkIdType cell) const
   {
     return static_cast<vtkIdType>(this->GlobalIds->GetTuple1(cell));
@@ -70,21 +77,27 @@ private:
     }
   }
 
-  /// Whether points like all of a cell's are in several pieces; `points` gets their numbers.
-  bool MayBeRepeated(vtkIdType cell, std::vector<vtkIdType>& points, vtkIdList* list) const
+  /// Calls visit(cell, numbers of points) for each cell that counts and may be in several pieces:
+  /// points like all of its own are.
+  template <class Visit>
+  void VisitShared(const Visit& visit) const
   {
-    bool may = true;
-    points.clear();
-    this->Reader.VisitPoints(cell, list,
-      [&](const auto* ids, std::size_t size)
+    const bool areSome =
+      std::any_of(this->Likes.begin(), this->Likes.end(), [](vtkIdType like) { return like >= 0; });
+    std::vector<vtkIdType> points;
+    vtkNew<vtkIdList> list;
+    this->Reader.VisitCells(0, areSome ? this->Piece->GetNumberOfCells() : 0, list,
+      [&](vtkIdType cell, const auto* ids, std::size_t size)
       {
-        for (std::size_t i = 0; i < size && may; ++i)
+        const auto likeOf = [this](auto id) { return this->Likes[static_cast<std::size_t>(id)]; };
+        if (this->Counts[static_cast<std::size_t>(cell)] &&
+          std::all_of(ids, ids + size, [&](auto id) { return likeOf(id) >= 0; }))
         {
-          points.push_back(this->Likes[static_cast<std::size_t>(ids[i])]);
-          may = points.back() >= 0;
+          points.resize(size);
+          std::transform(ids, ids + size, points.begin(), likeOf);
+          visit(cell, points);
         }
       });
-    return may;
   }
 
   SkdRepeatedCells::Key KeyOf(vtkIdType cell, const std::vector<vtkIdType>& points) const
@@ -101,21 +114,17 @@ private:
     Ids questions(processes);
     Ids queries(processes);
     const std::vector<unsigned char> ghosts = SkdDuplicatesOf(this->Piece, vtkDataObject::CELL);
-    std::vector<vtkIdType> points;
-    vtkNew<vtkIdList> list;
-    for (std::size_t id = 0; id < this->Counts.size(); ++id)
-    {
-      const auto cell = static_cast<vtkIdType>(id);
-      this->Counts[id] = ghosts.empty() || !ghosts[id];
-      if (this->Counts[id] && this->MayBeRepeated(cell, points, list))
+    std::transform(ghosts.begin(), ghosts.end(), this->Counts.begin(),
+      [](unsigned char isGhost) { return static_cast<unsigned char>(isGhost ? 0 : 1); });
+    this->VisitShared(
+      [&](vtkIdType cell, const std::vector<vtkIdType>& points)
       {
         const SkdRepeatedCells::Key key = this->KeyOf(cell, points);
         const std::size_t to = HashOf(key) % processes;
         questions[to].push_back(static_cast<vtkIdType>(key.size()));
         questions[to].insert(questions[to].end(), key.begin(), key.end());
         queries[to].push_back(cell);
-      }
-    }
+      });
     const SkdRowsByProcess<unsigned char> answers =
       SkdAsk<unsigned char>(this->Transport, questions, FindRepeated);
     for (std::size_t to = 0; to < processes; ++to)
@@ -268,7 +277,7 @@ private:
   SkdCellReader Reader;
   const std::vector<vtkIdType>& Likes;
   SkdPieceNumbers& Numbers;
-  vtkPolyData* Surface;
+  SkdKinds Kinds;
   vtkDataArray* GlobalIds;
   bool AreByIds;
   std::vector<unsigned char> Counts; // whether each cell does
@@ -279,5 +288,12 @@ void SkdNumberCells(SkdTransport& transport, vtkDataSet* piece, const SkdAllFact
   const std::vector<vtkIdType>& likes, SkdPieceNumbers& numbers)
 {
   CellNumbering(transport, piece, facts, likes, numbers).Number();
+}
+
+std::vector<unsigned char> SkdCountCells(SkdTransport& transport, vtkDataSet* piece,
+  const SkdAllFacts& facts, const std::vector<vtkIdType>& likes)
+{
+  SkdPieceNumbers none;
+  return CellNumbering(transport, piece, facts, likes, none).FindCounted();
 }
 }

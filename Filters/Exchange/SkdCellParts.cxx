@@ -37,11 +37,8 @@ vtkSmartPointer<vtkIdTypeArray> TakeArray(vtkDataSet* mesh, const char* name)
 template <class Values>
 void SetTuple(vtkIdTypeArray* array, std::size_t tuple, const Values& values)
 {
-  vtkIdType component = 0;
-  for (const vtkIdType value : values)
-  {
-    array->SetValue(static_cast<vtkIdType>(tuple * values.size()) + component++, value);
-  }
+  std::copy(
+    values.begin(), values.end(), array->GetPointer(static_cast<vtkIdType>(tuple * values.size())));
 }
 
 /// Cells of a piece with their data, and which points of it they use, in their order there.
@@ -112,13 +109,13 @@ vtkSmartPointer<vtkDataSet> SkdTakeCells(vtkDataSet* piece, const std::vector<vt
     return nullptr;
   }
   const Taken taken = AreAll(cells, piece) ? Share(piece) : CopyCells(piece, cells);
-  auto* surface = isSurface ? vtkPolyData::SafeDownCast(piece) : nullptr;
+  const SkdKinds kinds(isSurface ? vtkPolyData::SafeDownCast(piece) : nullptr);
   const auto ids = SkdMakeArray<vtkIdTypeArray>(CellsName, 2, static_cast<vtkIdType>(cells.size()));
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    const vtkIdType kind = surface ? SkdKindOf(surface, cells[i]) : 0;
     SetTuple(ids, i,
-      std::array<vtkIdType, 2>{ numbers.CellIds[static_cast<std::size_t>(cells[i])], kind });
+      std::array<vtkIdType, 2>{
+        numbers.CellIds[static_cast<std::size_t>(cells[i])], kinds.Of(cells[i]) });
   }
   const std::vector<vtkIdType>& used = taken.Points;
   const auto points =

@@ -60,9 +60,8 @@ const std::vector<std::vector<unsigned char>>& SkdCountedCells::Update(
   if (isAnyNew != 0)
   {
     const std::unique_ptr<SkdTransport> transport = SkdMakeTransport(controller);
-    this->OfBlocks = transport && SkdCanBring(piece)
-      ? SkdNearbyInput().FindCounted(*transport, piece)
-      : CountedByRows(piece, controller);
+    this->OfBlocks = transport && SkdCanBring(piece) ? SkdFindCountedCells(*transport, piece)
+                                                     : CountedByRows(piece, controller);
     for (std::vector<unsigned char>& counted : this->OfBlocks)
     {
       if (std::find(counted.begin(), counted.end(), 0) == counted.end())

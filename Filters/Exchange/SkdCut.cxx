@@ -2,16 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdCut.h"
 
+#include "Cells/Read/SkdCellReader.h"
+#include "Cells/Read/SkdShape.h"
+#include "Cells/Read/SkdVisitPoints.h"
 #include "Cells/Search/SkdCellStore.h"
 #include "Core/Search/Tree/CoverByBoxes.h"
 #include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace skdtree
 {
 namespace
 {
+template <class Id>
+skd::Box3 BoxOf(const skd::PointArray& points, const Id* ids, std::size_t number)
+{
+  skd::Vector3 low = points.At(static_cast<std::size_t>(ids[0]));
+  skd::Vector3 high = low;
+  for (std::size_t i = 1; i < number; ++i)
+  {
+    const skd::Vector3 x = points.At(static_cast<std::size_t>(ids[i]));
+    low = skd::Least(low, x);
+    high = skd::Greatest(high, x);
+  }
+  return { low, high };
+}
+
 int LevelsOf(int processes)
 {
   int levels = 6;
@@ -21,10 +41,63 @@ int LevelsOf(int processes)
   }
   return levels;
 }
+/// Whether all points are such as a SkdCellStore may have.
+bool AreComparable(vtkDataSet* mesh)
+{
+  double largest = 0.0;
+  bool are = true;
+  SkdVisitPoints(mesh,
+    [&](vtkIdType, const skd::Vector3& x)
+    {
+      are = are && SkdHasDistances(x);
+      largest = std::max({ largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
+    });
+  return are && (largest == 0.0 || largest >= SkdComparable.Least);
+}
+
+/// Without a copy of the cells, if all of them are to be searched, and none is curved; false if
+/// not.
+bool ReadBoxes(vtkDataSet* mesh, std::vector<skd::Box3>& boxes)
+{
+  auto* set = vtkPointSet::SafeDownCast(mesh);
+  const skd::PointArray points =
+    set && set->GetPoints() ? SkdStoredPoints(set->GetPoints()->GetData()) : skd::PointArray();
+  if (!(points.Floats || points.Doubles) || mesh->GetCellGhostArray() ||
+    mesh->GetPointGhostArray() || !AreComparable(mesh))
+  {
+    return false;
+  }
+  boxes.reserve(static_cast<std::size_t>(mesh->GetNumberOfCells()));
+  const SkdCellReader reader(mesh);
+  vtkNew<vtkIdList> list;
+  int known = -1;
+  std::size_t size = 0; // 0: of any number
+  bool areStraight = true;
+  reader.VisitCells(0, mesh->GetNumberOfCells(), list,
+    [&](vtkIdType cell, const auto* ids, std::size_t number)
+    {
+      const int type = reader.TypeOf(cell);
+      if (type != known)
+      {
+        const SkdShape shape = SkdShapeOfCellType(type);
+        areStraight = areStraight && shape < SkdShape::Generic;
+        size = static_cast<std::size_t>(SkdNumberOfPoints(shape));
+        known = type;
+      }
+      areStraight = areStraight && number > 0 && (size == 0 || number == size);
+      boxes.push_back(areStraight ? BoxOf(points, ids, number) : skd::Box3());
+    });
+  return areStraight;
+}
 }
 
 std::vector<skd::Box3> SkdBoxesOfCells(vtkDataSet* mesh, bool skipGhosts)
 {
+  std::vector<skd::Box3> straight;
+  if (ReadBoxes(mesh, straight))
+  {
+    return straight;
+  }
   const SkdCellStore cells(mesh, skipGhosts, SkdComparable);
   std::vector<skd::Box3> boxes(static_cast<std::size_t>(mesh->GetNumberOfCells()));
   for (std::uint32_t cell = 0; cell < cells.NumberOfCells(); ++cell)

@@ -28,6 +28,22 @@ namespace
 /// In units of 1024 bytes.
 constexpr unsigned long LargestReplicated = 64 * 1024;
 
+/// Whether all points that processes have of two inputs have one coordinate in common.
+bool AreFlat(vtkDataObject* piece, vtkDataObject* own, vtkMultiProcessController* controller)
+{
+  skd::Box3 box = SkdBoundsOfPoints(piece);
+  box.Add(own ? SkdBoundsOfPoints(own) : skd::Box3());
+  double here[6];
+  double anywhere[6];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    here[axis] = box.Min[axis];
+    here[3 + axis] = -box.Max[axis];
+  }
+  controller->AllReduce(here, anywhere, 6, vtkCommunicator::MIN_OP);
+  return anywhere[0] == -anywhere[3] || anywhere[1] == -anywhere[4] || anywhere[2] == -anywhere[5];
+}
+
 /// Whether the reach does for what all processes have; what of it depends on that is decided.
 bool Fit(vtkDataObject* piece, vtkDataObject* own, vtkMultiProcessController* controller,
   SkdSearchRange& range)
@@ -45,7 +61,8 @@ bool Fit(vtkDataObject* piece, vtkDataObject* own, vtkMultiProcessController* co
   {
     range.Directions = isOnSphere ? SkdByDirections::Always : SkdByDirections::Never;
   }
-  if (range.IsOfNearSurfaces && !isOnSphere && anywhere[2] == 0)
+  if (range.IsOfNearSurfaces && !isOnSphere && anywhere[2] == 0 &&
+    !(range.IsUnlessFlat && AreFlat(piece, own, controller)))
   {
     range.OfDiagonal = range.OfOwnDiagonal = 1.0;
     range.WithNearest = true;

@@ -39,8 +39,7 @@ public:
   /// Of a cell of a vtkPolyData.
   int KindOf(const SkdPieceCell& cell) const
   {
-    vtkDataSet* piece = this->Pieces[static_cast<std::size_t>(cell.Piece)];
-    return SkdKindOf(vtkPolyData::SafeDownCast(piece), cell.CellId);
+    return this->Kinds[static_cast<std::size_t>(cell.Piece)].Of(cell.CellId);
   }
 
 private:
@@ -67,6 +66,7 @@ private:
   SkdPieces Pieces;
   SkdPiecePoints Points;
   std::vector<SkdCellReader> Readers;
+  std::vector<SkdKinds> Kinds;
   std::vector<SkdPieceCell> Cells;
   bool HaveGlobalIds;
   vtkNew<vtkIdList> Own;        // of a cell's points in its piece
@@ -81,6 +81,7 @@ CellJoin::CellJoin(const SkdPieces& pieces)
   for (vtkDataSet* piece : this->Pieces)
   {
     this->Readers.emplace_back(piece);
+    this->Kinds.emplace_back(vtkPolyData::SafeDownCast(piece));
   }
   this->HaveGlobalIds = std::all_of(this->Pieces.begin(), this->Pieces.end(),
     [](vtkDataSet* piece)

@@ -7,12 +7,14 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 
 namespace skdtree
 {
@@ -33,6 +35,24 @@ public:
   int TypeOf(const SkdPieceCell& cell) const
   {
     return this->Readers[static_cast<std::size_t>(cell.Piece)].TypeOf(cell.CellId);
+  }
+
+  /// The cells `first` to `last` of a piece: adds their points, and where those of each end.
+  void AddCells(const SkdPieceCell& first, vtkIdType last, std::vector<vtkIdType>& offsets,
+    std::vector<vtkIdType>& points) const
+  {
+    const std::vector<vtkIdType>& joined =
+      this->Parts.PointIds[static_cast<std::size_t>(first.Piece)];
+    this->Readers[static_cast<std::size_t>(first.Piece)].VisitCells(first.CellId, last + 1,
+      this->Own,
+      [&](vtkIdType, const auto* ids, std::size_t size)
+      {
+        for (std::size_t i = 0; i < size; ++i)
+        {
+          points.push_back(joined[static_cast<std::size_t>(ids[i])]);
+        }
+        offsets.push_back(static_cast<vtkIdType>(points.size()));
+      });
   }
 
   void ReadPoints(const SkdPieceCell& cell, vtkIdList* ids) const
@@ -71,6 +91,29 @@ private:
   vtkNew<vtkIdList> Own; // of a cell's points in its piece
 };
 
+/// The cells of one kind.
+struct CellLists
+{
+  std::vector<vtkIdType> Offsets{ 0 };
+  std::vector<vtkIdType> Points;
+
+  vtkSmartPointer<vtkCellArray> Make() const
+  {
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    cells->SetData(ArrayOf(this->Offsets), ArrayOf(this->Points));
+    return cells;
+  }
+
+private:
+  static vtkSmartPointer<vtkIdTypeArray> ArrayOf(const std::vector<vtkIdType>& values)
+  {
+    auto array = vtkSmartPointer<vtkIdTypeArray>::New();
+    array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    return array;
+  }
+};
+
 /// Gives the mesh the points and all arrays.
 void Finish(const SkdMeshParts& parts, vtkPointSet* mesh)
 {
@@ -92,18 +135,29 @@ vtkSmartPointer<vtkPointSet> SkdAssembleSurface(
   const SkdMeshParts& parts, const std::function<int(const SkdPieceCell& cell)>& kindOf)
 {
   const CellSource source(parts);
-  vtkNew<vtkCellArray> kinds[SkdNumberOfKinds];
-  vtkNew<vtkIdList> ids;
-  for (const SkdPieceCell& cell : parts.Cells)
+  std::array<CellLists, SkdNumberOfKinds> kinds;
+  std::size_t end = 0;
+  for (std::size_t begin = 0; begin < parts.Cells.size(); begin = end)
   {
-    source.ReadPoints(cell, ids);
-    kinds[kindOf(cell)]->InsertNextCell(ids);
+    const SkdPieceCell& first = parts.Cells[begin];
+    const int kind = kindOf(first);
+    const auto goesOn = [&](const SkdPieceCell& cell)
+    {
+      return cell.Piece == first.Piece &&
+        cell.CellId - first.CellId == static_cast<vtkIdType>(end - begin) && kindOf(cell) == kind;
+    };
+    for (end = begin + 1; end < parts.Cells.size() && goesOn(parts.Cells[end]);)
+    {
+      ++end;
+    }
+    CellLists& lists = kinds[static_cast<std::size_t>(kind)];
+    source.AddCells(first, parts.Cells[end - 1].CellId, lists.Offsets, lists.Points);
   }
   auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetVerts(kinds[0]);
-  surface->SetLines(kinds[1]);
-  surface->SetPolys(kinds[2]);
-  surface->SetStrips(kinds[3]);
+  surface->SetVerts(kinds[0].Make());
+  surface->SetLines(kinds[1].Make());
+  surface->SetPolys(kinds[2].Make());
+  surface->SetStrips(kinds[3].Make());
   Finish(parts, surface);
   return surface;
 }

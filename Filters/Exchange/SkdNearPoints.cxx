@@ -3,6 +3,7 @@
 #include "Exchange/SkdNearPoints.h"
 
 #include "Cells/Read/SkdMagnitudes.h"
+#include "Cells/Read/SkdVisitPoints.h"
 #include "vtkPointSet.h"
 
 #include <algorithm>
@@ -137,15 +138,15 @@ bool SkdIsSingle(vtkDataSet* piece)
 SkdPointMagnitudes SkdMagnitudesOf(vtkDataSet* piece)
 {
   std::vector<double> all;
-  for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
-  {
-    skd::Vector3 point;
-    piece->GetPoint(i, point.X);
-    if (SkdIsWithin(point, SkdMeasurable.Largest))
+  all.reserve(static_cast<std::size_t>(piece->GetNumberOfPoints()));
+  SkdVisitPoints(piece,
+    [&all](vtkIdType, const skd::Vector3& point)
     {
-      all.push_back(MagnitudeOf(point));
-    }
-  }
+      if (SkdIsWithin(point, SkdMeasurable.Largest))
+      {
+        all.push_back(MagnitudeOf(point));
+      }
+    });
   SkdPointMagnitudes magnitudes;
   if (!all.empty())
   {

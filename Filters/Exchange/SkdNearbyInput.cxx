@@ -3,6 +3,7 @@
 #include "Exchange/SkdNearbyInput.h"
 
 #include "Cells/Read/SkdCellReader.h"
+#include "Cells/Read/SkdVisitPoints.h"
 #include "Exchange/SkdDirectionBoxes.h"
 #include "Exchange/SkdMessage.h"
 #include "Exchange/SkdPieceArrays.h"
@@ -212,6 +213,40 @@ bool AreOtherThanFaces(vtkDataObject* piece)
     [](const SkdBlock& block) { return HasOtherThanFaces(block.Mesh); });
 }
 
+/// A piece's blocks beside those that other processes have.
+struct BlocksOfAll
+{
+  std::map<SkdBlockPath, SkdPieces> Examples; // by process
+  std::map<SkdBlockPath, vtkSmartPointer<vtkDataSet>> Own;
+  vtkSmartPointer<vtkDataObject> Structure;
+
+  // Of composite data, processes may have different blocks.
+  BlocksOfAll(SkdTransport& transport, vtkDataObject* piece)
+    : Structure(SkdStructureOf(piece))
+  {
+    const std::vector<SkdBytes> all = transport.GatherAll(SkdPackObject(ExampleOf(piece)));
+    for (std::size_t process = 0; process < all.size(); ++process)
+    {
+      const vtkSmartPointer<vtkDataObject> example = SkdUnpackObject(all[process]);
+      SkdUniteStructures(this->Structure, example);
+      for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(example))
+      {
+        this->Examples[leaf.Path].resize(all.size());
+        this->Examples[leaf.Path][process] = leaf.Mesh;
+      }
+    }
+    for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(piece))
+    {
+      this->Own[leaf.Path] = leaf.Mesh;
+    }
+    for (const auto& [path, some] : this->Examples)
+    {
+      vtkSmartPointer<vtkDataSet>& mesh = this->Own[path];
+      mesh = mesh ? mesh : vtkSmartPointer<vtkDataSet>(vtkSmartPointer<vtkUnstructuredGrid>::New());
+    }
+  }
+};
+
 bool IsAny(SkdTransport& transport, bool here)
 {
   const auto all = SkdGatherRows(transport, std::vector<unsigned char>(1, here ? 1 : 0));
@@ -229,6 +264,23 @@ bool SkdIsUnfit(vtkDataObject* piece, const SkdSearchRange& range)
   return (range.IsOfOneMesh && SkdIsComposite(piece)) ||
     (range.IsOfFaces && AreOtherThanFaces(piece)) ||
     (range.IsOfSamples && IsIncomplete(piece, range.WithNearest));
+}
+
+skd::Box3 SkdBoundsOfPoints(vtkDataObject* object)
+{
+  skd::Box3 bounds;
+  for (const SkdBlock& block : SkdBlocksOf(object))
+  {
+    SkdVisitPoints(block.Mesh,
+      [&bounds](vtkIdType, const skd::Vector3& x)
+      {
+        if (IsFinite(x))
+        {
+          bounds.Add(x);
+        }
+      });
+  }
+  return bounds;
 }
 
 bool SkdIsOnSphere(vtkDataObject* object)
@@ -291,47 +343,33 @@ void SkdNearbyInput::BringNear(
     piece);
 }
 
-// Of composite data, processes may have different blocks.
 void SkdNearbyInput::UpdateBlocks(SkdTransport& transport, vtkDataObject* piece)
 {
-  std::map<SkdBlockPath, SkdPieces> examples;
-  const std::vector<SkdBytes> all = transport.GatherAll(SkdPackObject(ExampleOf(piece)));
-  this->Structure = SkdStructureOf(piece);
-  for (std::size_t process = 0; process < all.size(); ++process)
-  {
-    const vtkSmartPointer<vtkDataObject> example = SkdUnpackObject(all[process]);
-    SkdUniteStructures(this->Structure, example);
-    for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(example))
-    {
-      examples[leaf.Path].resize(all.size());
-      examples[leaf.Path][process] = leaf.Mesh;
-    }
-  }
-  std::map<SkdBlockPath, vtkSmartPointer<vtkDataSet>> own;
-  for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(piece))
-  {
-    own[leaf.Path] = leaf.Mesh;
-  }
+  BlocksOfAll all(transport, piece);
+  this->Structure = all.Structure;
   this->Blocks.clear();
-  for (auto& [path, some] : examples)
+  for (auto& [path, examples] : all.Examples)
   {
-    vtkSmartPointer<vtkDataSet>& mesh = own[path];
-    if (!mesh)
-    {
-      mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    }
-    this->Blocks[path] = std::make_unique<SkdSpreadBlock>(transport, mesh, std::move(some));
+    this->Blocks[path] =
+      std::make_unique<SkdSpreadBlock>(transport, all.Own.at(path), std::move(examples));
   }
 }
 
-std::vector<std::vector<unsigned char>> SkdNearbyInput::FindCounted(
+std::vector<std::vector<unsigned char>> SkdFindCountedCells(
   SkdTransport& transport, vtkDataObject* piece)
 {
-  this->UpdateBlocks(transport, piece);
+  BlocksOfAll all(transport, piece);
+  std::map<SkdBlockPath, std::vector<unsigned char>> ofPaths;
+  for (const auto& [path, examples] : all.Examples)
+  {
+    vtkDataSet* const mesh = all.Own.at(path);
+    const SkdAllFacts facts(transport, mesh);
+    ofPaths[path] = SkdFindCounted(transport, mesh, facts);
+  }
   std::vector<std::vector<unsigned char>> counted;
   for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(piece))
   {
-    counted.push_back(this->Blocks.at(leaf.Path)->FindCounted());
+    counted.push_back(ofPaths.at(leaf.Path));
   }
   return counted;
 }

@@ -31,10 +31,6 @@ public:
   /// The cells of this process's own piece that count, in the same way.
   vtkDataObject* UpdateOwn(SkdTransport& transport, vtkDataObject* piece);
 
-  /// By block of this process's own piece (SkdBlocksOf), whether it counts each cell.
-  std::vector<std::vector<unsigned char>> FindCounted(
-    SkdTransport& transport, vtkDataObject* piece);
-
   /// Calls visit(block) for each block, in the order of their paths.
   template <class Visit>
   void VisitBlocks(const Visit& visit) const
@@ -73,12 +69,20 @@ private:
   vtkSmartPointer<vtkDataObject> Nearby;
 };
 
+/// By block of this process's own piece (SkdBlocksOf), whether it counts each cell
+/// (SkdFindCounted). All processes must call it together.
+std::vector<std::vector<unsigned char>> SkdFindCountedCells(
+  SkdTransport& transport, vtkDataObject* piece);
+
 /// Whether data of this type can be brought: all but AMR data, whose blocks have no paths.
 bool SkdCanBring(vtkDataObject* object);
 
 /// Whether a piece has something for which the reach does not do: that is not near, and matters.
 /// O(size).
 bool SkdIsUnfit(vtkDataObject* piece, const SkdSearchRange& range);
+
+/// Of the points of all its meshes that are finite.
+skd::Box3 SkdBoundsOfPoints(vtkDataObject* object);
 
 /// Whether there is a mesh whose points are all on a sphere about the origin.
 bool SkdIsOnSphere(vtkDataObject* object);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdPieceFacts.h"
 
-#include "Exchange/SkdCut.h"
+#include "Cells/Read/SkdMagnitudes.h"
+#include "Cells/Read/SkdVisitPoints.h"
 #include "Exchange/SkdGridLattice.h"
 #include "Exchange/SkdPieceArrays.h"
 #include "Pipeline/SkdBlocks.h"
@@ -31,10 +32,14 @@ SkdPieceFacts FactsOf(vtkDataSet* mesh)
   facts.IsSingle = SkdIsSingle(mesh);
   facts.IsGrid = SkdIsStructured(mesh);
   facts.Magnitudes = SkdMagnitudesOf(mesh);
-  for (vtkIdType point = 0; point < facts.Points; ++point)
-  {
-    facts.Bounds.Add(SkdBoxOfPoint(mesh, point));
-  }
+  SkdVisitPoints(mesh,
+    [&facts](vtkIdType, const skd::Vector3& x)
+    {
+      if (SkdHasDistances(x))
+      {
+        facts.Bounds.Add(x);
+      }
+    });
   if (facts.IsGrid)
   {
     facts.Extent = SkdExtentOf(mesh);

@@ -182,6 +182,22 @@ void SkdNumberGrid(
   }
 }
 
+std::vector<unsigned char> SkdFindCounted(
+  SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts)
+{
+  if (!facts.IsOnePiece() && !facts.FillGrid() && !facts.GetFull().empty())
+  {
+    std::vector<vtkIdType> likes;
+    SkdFindLikePoints(transport, piece, facts, likes);
+    return SkdCountCells(transport, piece, facts, likes);
+  }
+  const std::vector<vtkIdType> ids = SkdNumberPiece(transport, piece, facts).CellIds;
+  std::vector<unsigned char> counted(ids.size());
+  std::transform(ids.begin(), ids.end(), counted.begin(),
+    [](vtkIdType id) { return static_cast<unsigned char>(id >= 0 ? 1 : 0); });
+  return counted;
+}
+
 SkdPieceNumbers SkdNumberPiece(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts)
 {
   SkdPieceNumbers numbers;

@@ -55,6 +55,11 @@ struct SkdPieceNumbers
 SkdPieceNumbers SkdNumberPiece(
   SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts);
 
+/// Whether each cell of the piece counts in it: has a joined id of SkdNumberPiece. Of points only
+/// those are compared of which cells are that other pieces may have, too; nothing is numbered.
+std::vector<unsigned char> SkdFindCounted(
+  SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts);
+
 ///@{
 /// Parts of it.
 /// Points and cells of one grid by their index in it.
@@ -66,6 +71,14 @@ void SkdNumberGrid(
 /// with its global id; -1 if no other piece has such.
 void SkdNumberPoints(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
   SkdPieceNumbers& numbers, std::vector<vtkIdType>& likes);
+
+/// The same numbers alone, of points whose cells may be in other pieces, too.
+void SkdFindLikePoints(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
+  std::vector<vtkIdType>& likes);
+
+/// Whether each cell counts.
+std::vector<unsigned char> SkdCountCells(SkdTransport& transport, vtkDataSet* piece,
+  const SkdAllFacts& facts, const std::vector<vtkIdType>& likes);
 
 /// Cells by their points, which are numbered, or global ids.
 void SkdNumberCells(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,

@@ -5,10 +5,11 @@
 #include "Bodies/SkdWeld.h"
 #include "Cells/Read/SkdCellReader.h"
 #include "Cells/Read/SkdMagnitudes.h"
+#include "Cells/Read/SkdVisitPoints.h"
 #include "Exchange/SkdCut.h"
 #include "Exchange/SkdNearPoints.h"
 #include "Exchange/SkdPieceArrays.h"
-#include "Exchange/SkdPointJoin.h"
+#include "Exchange/SkdPointQuestions.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -16,191 +17,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <unordered_map>
 
 namespace skdtree
 {
 namespace
 {
-/// When a point is added to the joined mesh: ghosts after all others, in the order in which cells
-/// use them, or not at all.
-constexpr vtkIdType AtOnce = -1;
-constexpr vtkIdType Never = -2;
-
-struct PointQuestion
-{
-  skd::Vector3 X;
-  vtkIdType GlobalId; // if all points have such
-  vtkIdType Point;
-  vtkIdType Order;
-  bool IsIncomplete;
-};
-
-struct PointAnswer
-{
-  SkdPointOrigin Numbered; // by whom
-  SkdPointOrigin Data;
-  SkdPointOrigin FirstLike; // see SkdPieceNumbers; a process of -1: no other piece has such
-};
-
-using Questions = SkdRowsByProcess<PointQuestion>;
-using Answers = SkdRowsByProcess<PointAnswer>;
-using Keys = std::vector<std::vector<vtkIdType>>;
-
-//------------------------------------------------------------------------------
-// Where questions are answered.
-
-std::size_t FindKeysByGlobalIds(
-  const Questions& queries, double largestCoordinate, Keys& keys, SkdRepeatedId& repeated)
-{
-  struct First
-  {
-    vtkIdType Key;
-    int Process;
-    const PointQuestion* Question;
-  };
-  std::unordered_map<vtkIdType, First> known;
-  for (std::size_t piece = 0; piece < queries.size(); ++piece)
-  {
-    for (const PointQuestion& question : queries[piece])
-    {
-      const First own{ static_cast<vtkIdType>(known.size()), static_cast<int>(piece), &question };
-      const First& first = known.emplace(question.GlobalId, own).first->second;
-      keys[piece].push_back(first.Key);
-      if (!repeated.IsThere && SkdAreDifferent(question.X, first.Question->X, largestCoordinate))
-      {
-        repeated = { true, true, question.GlobalId,
-          { { { first.Process, first.Question->Point }, { own.Process, question.Point } } } };
-      }
-    }
-  }
-  return known.size();
-}
-
-std::size_t FindKeysByCoordinates(const Questions& queries, const SkdRounding& rounding, Keys& keys)
-{
-  SkdWeld weld;
-  for (std::size_t piece = 0; piece < queries.size(); ++piece)
-  {
-    for (const PointQuestion& question : queries[piece])
-    {
-      keys[piece].push_back(weld.GetId(question.X.X));
-    }
-  }
-  SkdMergeNearPoints(rounding, weld.GetPoints(), keys);
-  return weld.GetPoints().size();
-}
-
-/// Adds the points of all pieces in the order of SkdPiecePoints.
-class PointDirectory
-{
-public:
-  PointDirectory(const Questions& queries, const Keys& keys, std::size_t numberOfKeys)
-    : Queries(queries)
-    , Keyed(keys)
-    , Join(numberOfKeys)
-    , Ids(queries.size())
-  {
-    for (std::size_t piece = 0; piece < queries.size(); ++piece)
-    {
-      this->Ids[piece].assign(queries[piece].size(), -1);
-      this->AddOwn(piece);
-    }
-    for (std::size_t piece = 0; piece < queries.size(); ++piece)
-    {
-      this->AddGhosts(piece);
-    }
-  }
-
-  Answers GetAnswers() const
-  {
-    Answers answers(this->Queries.size());
-    for (std::size_t piece = 0; piece < this->Queries.size(); ++piece)
-    {
-      for (const vtkIdType id : this->Ids[piece])
-      {
-        answers[piece].push_back(
-          id < 0 ? PointAnswer{ { -1, -1 }, { -1, -1 }, { -1, -1 } } : this->AnswerOf(id));
-      }
-    }
-    return answers;
-  }
-
-private:
-  PointAnswer AnswerOf(vtkIdType id) const
-  {
-    const Origin& origin = this->Origins[static_cast<std::size_t>(id)];
-    const vtkIdType first = this->Join.FirstLike(id);
-    return { origin.Numbered, origin.Data,
-      this->Join.IsShared(first) ? this->Origins[static_cast<std::size_t>(first)].Numbered
-                                 : SkdPointOrigin{ -1, -1 } };
-  }
-
-  void AddOwn(std::size_t piece)
-  {
-    for (std::size_t i = 0; i < this->Queries[piece].size(); ++i)
-    {
-      if (this->Queries[piece][i].Order == AtOnce)
-      {
-        this->Add(piece, i);
-      }
-    }
-  }
-
-  void AddGhosts(std::size_t piece)
-  {
-    std::vector<std::size_t> used;
-    for (std::size_t i = 0; i < this->Queries[piece].size(); ++i)
-    {
-      if (this->Queries[piece][i].Order >= 0)
-      {
-        used.push_back(i);
-      }
-    }
-    std::sort(used.begin(), used.end(),
-      [&](std::size_t a, std::size_t b)
-      { return this->Queries[piece][a].Order < this->Queries[piece][b].Order; });
-    for (const std::size_t i : used)
-    {
-      this->Add(piece, i);
-    }
-  }
-
-  void Add(std::size_t piece, std::size_t i)
-  {
-    const vtkIdType before = this->Join.GetNumber();
-    const vtkIdType id = this->Join.Add(static_cast<int>(piece), this->Keyed[piece][i]);
-    const PointQuestion& question = this->Queries[piece][i];
-    const SkdPointOrigin own{ static_cast<int>(piece), question.Point };
-    if (id == before)
-    {
-      this->Origins.push_back({ own, own, question.IsIncomplete });
-    }
-    Origin& origin = this->Origins[static_cast<std::size_t>(id)];
-    if (origin.IsIncomplete && !question.IsIncomplete)
-    {
-      origin.Data = own;
-      origin.IsIncomplete = false;
-    }
-    this->Ids[piece][i] = id;
-  }
-
-  /// The first point, and the first that is complete (SkdIncompleteOf).
-  struct Origin
-  {
-    SkdPointOrigin Numbered;
-    SkdPointOrigin Data;
-    bool IsIncomplete;
-  };
-
-  const Questions& Queries;
-  const Keys& Keyed;
-  SkdPointJoin Join;
-  Keys Ids;
-  std::vector<Origin> Origins; // by joined point
-};
-
-//------------------------------------------------------------------------------
 /// Which process compares points that are near each other: that of a cell of a lattice so coarse
 /// that few points are near two of its cells. These are told to both. Where points are so far from
 /// the origin that rounding is larger than usual, the lattice is, too: by powers of two, so that it
@@ -263,7 +84,7 @@ public:
     : Transport(transport)
     , Piece(piece)
     , Facts(facts)
-    , Orders(static_cast<std::size_t>(piece->GetNumberOfPoints()), AtOnce)
+    , Orders(static_cast<std::size_t>(piece->GetNumberOfPoints()), SkdPointQuestion::AtOnce)
     , Incomplete(SkdIncompleteOf(piece, vtkDataObject::POINT))
     , Queries(static_cast<std::size_t>(transport.GetNumber()))
     , QueriedPoints(Queries.size())
@@ -273,27 +94,37 @@ public:
 
   void Number(SkdPieceNumbers& numbers, std::vector<vtkIdType>& likes)
   {
-    const bool byIds = this->Facts.HavePointIds();
-    const SkdRounding rounding = this->Facts.GetRounding();
     SkdRepeatedId repeated;
-    byIds ? this->AskByGlobalIds() : this->AskByCoordinates(rounding);
-    const Answers answers = SkdAsk<PointAnswer>(this->Transport, this->Queries,
-      [&](const Questions& queries)
-      {
-        Keys keys(queries.size());
-        const std::size_t number = byIds
-          ? FindKeysByGlobalIds(queries, this->Facts.GetLargestCoordinate(), keys, repeated)
-          : FindKeysByCoordinates(queries, rounding, keys);
-        return PointDirectory(queries, keys, number).GetAnswers();
-      });
-    likes.assign(this->Orders.size(), -1);
-    this->TakeOrigins(answers, numbers.PointOrigins, likes);
+    const SkdPointAnswers answers = this->Ask(false, repeated);
+    this->TakeOrigins(answers, numbers.PointOrigins);
+    this->TakeLikes(answers, likes);
     this->NumberOwn(numbers);
     this->AskForOthers(numbers);
-    numbers.Repeated = byIds ? SkdFirstRepeatedId(this->Transport, repeated) : repeated;
+    numbers.Repeated =
+      this->Facts.HavePointIds() ? SkdFirstRepeatedId(this->Transport, repeated) : repeated;
+  }
+
+  /// Only of points that cells of other pieces may have, too.
+  void FindLikes(std::vector<vtkIdType>& likes)
+  {
+    SkdRepeatedId repeated;
+    this->TakeLikes(this->Ask(true, repeated), likes);
   }
 
 private:
+  SkdPointAnswers Ask(bool isOfCells, SkdRepeatedId& repeated)
+  {
+    const bool byIds = this->Facts.HavePointIds();
+    const SkdRounding rounding = this->Facts.GetRounding();
+    byIds ? this->AskByGlobalIds() : this->AskByCoordinates(rounding, isOfCells);
+    return SkdAsk<SkdPointAnswer>(this->Transport, this->Queries,
+      [&](const SkdPointQuestions& queries)
+      {
+        return byIds ? SkdAnswerByGlobalIds(queries, this->Facts.GetLargestCoordinate(), repeated)
+                     : SkdAnswerByCoordinates(queries, rounding);
+      });
+  }
+
   // Ghost points in the order in which cells that are no ghosts use them.
   void FindOrders()
   {
@@ -303,7 +134,8 @@ private:
       return;
     }
     std::transform(ghosts.begin(), ghosts.end(), this->Orders.begin(),
-      [](unsigned char isGhost) { return isGhost ? Never : AtOnce; });
+      [](unsigned char isGhost)
+      { return isGhost ? SkdPointQuestion::Never : SkdPointQuestion::AtOnce; });
     const std::vector<unsigned char> ghostCells = SkdDuplicatesOf(this->Piece, vtkDataObject::CELL);
     const SkdCellReader reader(this->Piece);
     vtkNew<vtkIdList> list;
@@ -321,16 +153,16 @@ private:
   void Use(vtkIdType point)
   {
     vtkIdType& order = this->Orders[static_cast<std::size_t>(point)];
-    if (order == Never)
+    if (order == SkdPointQuestion::Never)
     {
       order = static_cast<vtkIdType>(this->UsedGhosts.size());
       this->UsedGhosts.push_back(point);
     }
   }
 
-  PointQuestion QuestionOf(vtkIdType point) const
+  SkdPointQuestion QuestionOf(vtkIdType point) const
   {
-    PointQuestion question;
+    SkdPointQuestion question;
     this->Piece->GetPoint(point, question.X.X);
     question.GlobalId = -1;
     question.Point = point;
@@ -345,7 +177,7 @@ private:
     vtkDataArray* ids = this->Piece->GetPointData()->GetGlobalIds();
     for (vtkIdType point = 0; point < this->Piece->GetNumberOfPoints(); ++point)
     {
-      PointQuestion question = this->QuestionOf(point);
+      SkdPointQuestion question = this->QuestionOf(point);
       question.GlobalId = static_cast<vtkIdType>(ids->GetTuple1(point));
       const std::size_t to = static_cast<std::size_t>(question.GlobalId) % this->Queries.size();
       this->Queries[to].push_back(question);
@@ -359,13 +191,19 @@ private:
     return point.Inflated(64.0 * rounding.ToleranceAt(point.Min));
   }
 
+  /// The largest tolerance of this piece's points.
+  double MostOf(const SkdRounding& rounding) const
+  {
+    const skd::Box3& bounds = this->Facts.Of(this->Transport.GetRank()).Bounds;
+    const double largest = std::min(skd::LargestCoordinate(bounds), SkdMeasurable.Largest);
+    return rounding.ToleranceAt({ { largest, largest, largest } });
+  }
+
   /// The bounds of other pieces where points of this one may be.
   std::vector<skd::Box3> FindNeighbours(const SkdRounding& rounding) const
   {
     const skd::Box3& bounds = this->Facts.Of(this->Transport.GetRank()).Bounds;
-    const double largest = std::min(skd::LargestCoordinate(bounds), SkdMeasurable.Largest);
-    const double most = rounding.ToleranceAt({ { largest, largest, largest } });
-    const skd::Box3 own = bounds.Inflated(64.0 * most);
+    const skd::Box3 own = bounds.Inflated(64.0 * this->MostOf(rounding));
     std::vector<skd::Box3> neighbours;
     for (const int process : this->Facts.GetFull())
     {
@@ -383,24 +221,72 @@ private:
     const std::vector<skd::Box3>& neighbours, const SkdRounding& rounding) const
   {
     std::vector<vtkIdType> points;
-    const vtkIdType number = neighbours.empty() ? 0 : this->Piece->GetNumberOfPoints();
-    for (vtkIdType point = 0; point < number; ++point)
+    std::vector<skd::Box3> wide; // by more than any point's tolerance: most points are not in them
+    for (const skd::Box3& other : neighbours)
     {
+      wide.push_back(other.Inflated(128.0 * this->MostOf(rounding)));
+    }
+    const auto visit = [&](vtkIdType point, const skd::Vector3& x)
+    {
+      if (std::none_of(
+            wide.begin(), wide.end(), [&x](const skd::Box3& other) { return other.Contains(x); }))
+      {
+        return;
+      }
       const skd::Box3 box = Around(SkdBoxOfPoint(this->Piece, point), rounding);
       if (std::any_of(neighbours.begin(), neighbours.end(),
             [&box](const skd::Box3& other) { return other.Overlaps(box); }))
       {
         points.push_back(point);
       }
+    };
+    if (!neighbours.empty())
+    {
+      SkdVisitPoints(this->Piece, visit);
     }
     return points;
   }
 
-  // Of those points that others may have each process tells the others a cover.
-  void AskByCoordinates(const SkdRounding& rounding)
+  /// Those of some points that have a cell of such points alone: another piece may have it.
+  std::vector<vtkIdType> FindPointsOfCells(const std::vector<vtkIdType>& some) const
   {
-    const std::vector<vtkIdType> points =
-      this->FindPointsIn(this->FindNeighbours(rounding), rounding);
+    enum Known : unsigned char
+    {
+      IsOther,
+      IsSome,
+      IsOfCell
+    };
+    std::vector<unsigned char> known(some.empty() ? 0 : this->Orders.size(), IsOther);
+    for (const vtkIdType point : some)
+    {
+      known[static_cast<std::size_t>(point)] = IsSome;
+    }
+    const SkdCellReader reader(this->Piece);
+    vtkNew<vtkIdList> list;
+    reader.VisitCells(0, some.empty() ? 0 : this->Piece->GetNumberOfCells(), list,
+      [&known](vtkIdType, const auto* ids, std::size_t size)
+      {
+        if (std::all_of(ids, ids + size,
+              [&known](auto id) { return known[static_cast<std::size_t>(id)] != IsOther; }))
+        {
+          std::for_each(
+            ids, ids + size, [&known](auto id) { known[static_cast<std::size_t>(id)] = IsOfCell; });
+        }
+      });
+    std::vector<vtkIdType> points;
+    std::copy_if(some.begin(), some.end(), std::back_inserter(points),
+      [&known](vtkIdType point) { return known[static_cast<std::size_t>(point)] == IsOfCell; });
+    return points;
+  }
+
+  // Of those points that others may have each process tells the others a cover.
+  void AskByCoordinates(const SkdRounding& rounding, bool isOfCells)
+  {
+    std::vector<vtkIdType> points = this->FindPointsIn(this->FindNeighbours(rounding), rounding);
+    if (isOfCells)
+    {
+      points = this->FindPointsOfCells(points);
+    }
     std::vector<skd::Box3> boxes;
     for (const vtkIdType point : points)
     {
@@ -418,7 +304,7 @@ private:
       {
         continue;
       }
-      const PointQuestion question = this->QuestionOf(points[i]);
+      const SkdPointQuestion question = this->QuestionOf(points[i]);
       bins.Find(question.X, to);
       for (const std::size_t process : to)
       {
@@ -428,33 +314,50 @@ private:
     }
   }
 
-  void TakeOrigins(
-    const Answers& answers, std::vector<SkdPointOrigin>& origins, std::vector<vtkIdType>& likes)
+  template <class Take>
+  void VisitAnswers(const SkdPointAnswers& answers, const Take& take) const
   {
-    origins.reserve(this->Orders.size());
-    for (std::size_t point = 0; point < this->Orders.size(); ++point)
-    {
-      const bool isUsed = this->Orders[point] != Never;
-      origins.push_back(isUsed
-          ? SkdPointOrigin{ this->Transport.GetRank(), static_cast<vtkIdType>(point) }
-          : SkdPointOrigin{ -1, -1 });
-    }
-    this->Numbered = origins;
     for (std::size_t to = 0; to < answers.size(); ++to)
     {
       for (std::size_t i = 0; i < answers[to].size(); ++i)
       {
         if (this->QueriedPoints[to][i] >= 0)
         {
-          const auto point = static_cast<std::size_t>(this->QueriedPoints[to][i]);
-          this->Numbered[point] = answers[to][i].Numbered;
-          origins[point] = answers[to][i].Data;
-          const SkdPointOrigin& first = answers[to][i].FirstLike;
-          likes[point] =
-            first.Process < 0 ? -1 : first.Point * this->Transport.GetNumber() + first.Process;
+          take(static_cast<std::size_t>(this->QueriedPoints[to][i]), answers[to][i]);
         }
       }
     }
+  }
+
+  void TakeLikes(const SkdPointAnswers& answers, std::vector<vtkIdType>& likes) const
+  {
+    likes.assign(this->Orders.size(), -1);
+    this->VisitAnswers(answers,
+      [&](std::size_t point, const SkdPointAnswer& answer)
+      {
+        const SkdPointOrigin& first = answer.FirstLike;
+        likes[point] =
+          first.Process < 0 ? -1 : first.Point * this->Transport.GetNumber() + first.Process;
+      });
+  }
+
+  void TakeOrigins(const SkdPointAnswers& answers, std::vector<SkdPointOrigin>& origins)
+  {
+    origins.reserve(this->Orders.size());
+    for (std::size_t point = 0; point < this->Orders.size(); ++point)
+    {
+      const bool isUsed = this->Orders[point] != SkdPointQuestion::Never;
+      origins.push_back(isUsed
+          ? SkdPointOrigin{ this->Transport.GetRank(), static_cast<vtkIdType>(point) }
+          : SkdPointOrigin{ -1, -1 });
+    }
+    this->Numbered = origins;
+    this->VisitAnswers(answers,
+      [&](std::size_t point, const SkdPointAnswer& answer)
+      {
+        this->Numbered[point] = answer.Numbered;
+        origins[point] = answer.Data;
+      });
   }
 
   bool IsOwn(vtkIdType point) const
@@ -470,7 +373,8 @@ private:
     own.reserve(this->Orders.size());
     for (std::size_t point = 0; point < this->Orders.size(); ++point)
     {
-      if (this->Orders[point] == AtOnce && this->IsOwn(static_cast<vtkIdType>(point)))
+      if (this->Orders[point] == SkdPointQuestion::AtOnce &&
+        this->IsOwn(static_cast<vtkIdType>(point)))
       {
         own.push_back(static_cast<vtkIdType>(point));
       }
@@ -531,7 +435,7 @@ private:
   std::vector<unsigned char> Incomplete; // likewise, or none is
   std::vector<SkdPointOrigin> Numbered;  // by whom each is
   std::vector<vtkIdType> UsedGhosts;     // in their order
-  Questions Queries;
+  SkdPointQuestions Queries;
   SkdRowsByProcess<vtkIdType> QueriedPoints; // -1: the answer is another's
 };
 }
@@ -540,5 +444,11 @@ void SkdNumberPoints(SkdTransport& transport, vtkDataSet* piece, const SkdAllFac
   SkdPieceNumbers& numbers, std::vector<vtkIdType>& likes)
 {
   PointNumbering(transport, piece, facts).Number(numbers, likes);
+}
+
+void SkdFindLikePoints(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
+  std::vector<vtkIdType>& likes)
+{
+  PointNumbering(transport, piece, facts).FindLikes(likes);
 }
 }

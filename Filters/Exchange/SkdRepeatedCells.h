@@ -3,10 +3,13 @@
 #ifndef SkdRepeatedCells_h
 #define SkdRepeatedCells_h
 
+#include "vtkCellArray.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -66,19 +69,30 @@ private:
 /// The kinds of cells in the order of vtkPolyData's ids.
 constexpr int SkdNumberOfKinds = 4;
 
-/// The kind of a vtkPolyData's cell.
-inline int SkdKindOf(vtkPolyData* mesh, vtkIdType cell)
+/// The kinds of a vtkPolyData's cells; of another mesh, or nullptr, all are the first.
+class SkdKinds
 {
-  vtkCellArray* const kinds[SkdNumberOfKinds] = { mesh->GetVerts(), mesh->GetLines(),
-    mesh->GetPolys(), mesh->GetStrips() };
-  int kind = 0;
-  while (kind < SkdNumberOfKinds - 1 && cell >= kinds[kind]->GetNumberOfCells())
+public:
+  explicit SkdKinds(vtkPolyData* mesh)
   {
-    cell -= kinds[kind]->GetNumberOfCells();
-    ++kind;
+    this->Ends.fill(std::numeric_limits<vtkIdType>::max());
+    if (mesh)
+    {
+      this->Ends[0] = mesh->GetVerts()->GetNumberOfCells();
+      this->Ends[1] = this->Ends[0] + mesh->GetLines()->GetNumberOfCells();
+      this->Ends[2] = this->Ends[1] + mesh->GetPolys()->GetNumberOfCells();
+    }
   }
-  return kind;
-}
+
+  int Of(vtkIdType cell) const
+  {
+    return (cell >= this->Ends[0] ? 1 : 0) + (cell >= this->Ends[1] ? 1 : 0) +
+      (cell >= this->Ends[2] ? 1 : 0);
+  }
+
+private:
+  std::array<vtkIdType, SkdNumberOfKinds - 1> Ends; // of all kinds but the last
+};
 }
 
 #endif

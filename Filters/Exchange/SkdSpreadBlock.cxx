@@ -95,15 +95,6 @@ SkdSpreadBlock::SkdSpreadBlock(SkdTransport& transport, vtkDataSet* piece, SkdPi
   }
 }
 
-std::vector<unsigned char> SkdSpreadBlock::FindCounted() const
-{
-  const std::vector<vtkIdType>& ids = this->Numbers.CellIds;
-  std::vector<unsigned char> counted(ids.size());
-  std::transform(ids.begin(), ids.end(), counted.begin(),
-    [](vtkIdType id) { return static_cast<unsigned char>(id >= 0 ? 1 : 0); });
-  return counted;
-}
-
 std::vector<skd::Box3> SkdSpreadBlock::FindDirections(bool inDegrees) const
 {
   std::vector<skd::Box3> boxes = SkdDirectionBoxesOfCells(this->Piece, inDegrees);

@@ -48,9 +48,6 @@ public:
   /// The joined ids of the cells that this process counts, ascending.
   std::vector<vtkIdType> ListOwnIds() const;
 
-  /// Whether each cell of this process's piece counts in it.
-  std::vector<unsigned char> FindCounted() const;
-
   /// The cells of the joined mesh.
   vtkIdType GetNumberOfCells() const { return this->Numbers.NumberOfCells; }
 

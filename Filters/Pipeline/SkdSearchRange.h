@@ -40,6 +40,9 @@ struct SkdSearchRange
   /// sphere: cells are near as far as they and the own ones are large, and the nearest is wanted.
   bool IsOfNearSurfaces = false;
 
+  /// But not if all points of both meshes have one coordinate in common: then they are in a plane.
+  bool IsUnlessFlat = false;
+
   /// The searched mesh is to have no blocks.
   bool IsOfOneMesh = false;
 
@@ -68,9 +71,9 @@ struct SkdSearchRange
   auto Tie() const
   {
     return std::tie(this->Distance, this->OfDiagonal, this->OfOwnDiagonal, this->WithNeighbours,
-      this->WithNearest, this->IsOfSamples, this->IsOfNearSurfaces, this->IsOfOneMesh,
-      this->IsOfFaces, this->IsMutual, this->WithOwn, this->Directions, this->IsOwnInDegrees,
-      this->IsSearchedInDegrees, this->IsNotForSpheres);
+      this->WithNearest, this->IsOfSamples, this->IsOfNearSurfaces, this->IsUnlessFlat,
+      this->IsOfOneMesh, this->IsOfFaces, this->IsMutual, this->WithOwn, this->Directions,
+      this->IsOwnInDegrees, this->IsSearchedInDegrees, this->IsNotForSpheres);
   }
 
   bool operator==(const SkdSearchRange& other) const { return this->Tie() == other.Tie(); }

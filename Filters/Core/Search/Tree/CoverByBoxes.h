@@ -26,6 +26,10 @@ public:
       std::remove_if(boxes.begin(), boxes.end(), [](const Box<D>& box) { return box.IsEmpty(); }),
       boxes.end());
     std::vector<Box<D>> cover;
+    if (boxes.size() >> levels > MostJoined * MostJoined)
+    {
+      JoinNeighbours(boxes);
+    }
     if (!boxes.empty())
     {
       Divide(boxes, 0, boxes.size(), levels, cover);
@@ -35,6 +39,39 @@ public:
 
 private:
   static constexpr std::size_t SampleSize = 512;
+  static constexpr std::size_t MostJoined = 8;
+
+  static double LengthsOf(const Box<D>& box)
+  {
+    double sum = 0.0;
+    for (int axis = 0; axis < D; ++axis)
+    {
+      sum += box.Length(axis);
+    }
+    return sum;
+  }
+
+  /// Boxes that follow each other become one where they touch, a few at most: of very many these
+  /// are as good, and fewer.
+  static void JoinNeighbours(std::vector<Box<D>>& boxes)
+  {
+    std::size_t last = 0;
+    std::size_t joined = 1;
+    double lengths = LengthsOf(boxes[0]);
+    for (std::size_t i = 1; i < boxes.size(); ++i)
+    {
+      Box<D> both = boxes[last];
+      both.Add(boxes[i]);
+      const double own = LengthsOf(boxes[i]);
+      const double together = LengthsOf(both);
+      const bool isNear = joined < MostJoined && together <= lengths + own;
+      last += isNear ? 0 : 1;
+      boxes[last] = isNear ? both : boxes[i];
+      lengths = isNear ? together : own;
+      joined = isNear ? joined + 1 : 1;
+    }
+    boxes.resize(last + 1);
+  }
 
   static void Divide(std::vector<Box<D>>& boxes, std::size_t begin, std::size_t end, int levels,
     std::vector<Box<D>>& cover)
