@@ -383,17 +383,10 @@ inline unsigned SignBits(DoubleVector a)
 /// Bit i is set where a > b in lane i; never for NaN.
 inline unsigned Above(DoubleVector a, DoubleVector b)
 {
-#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__)
-  return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_GT_OQ)));
-#elif !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__SSE2__)
-  return static_cast<unsigned>(_mm_movemask_pd(_mm_cmpgt_pd(a, b)));
+#if defined(SKD_PLAIN_LANES) || !defined(__GNUC__)
+  return a > b ? 1u : 0u;
 #else
-  unsigned bits = 0;
-  for (int i = 0; i < NativeDoubles; ++i)
-  {
-    bits |= (LaneOf(a, i) > LaneOf(b, i) ? 1u : 0u) << i;
-  }
-  return bits;
+  return SignBits((DoubleVector)(a > b));
 #endif
 }
 
