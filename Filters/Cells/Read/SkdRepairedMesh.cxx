@@ -68,6 +68,21 @@ void Blank(vtkDataSet* mesh, const Ids& cells)
   mesh->GetCellData()->AddArray(ghosts);
 }
 
+/// Whether there are cells with so few points that VTK 9.1 cannot fetch any.
+bool HasTooSmall(vtkPolyData* mesh)
+{
+  vtkCellArray* const arrays[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
+    mesh->GetStrips() };
+  bool isOneSmall = false;
+  for (int kind = 0; kind < 4; ++kind)
+  {
+    SkdForEachCell(arrays[kind],
+      [&isOneSmall, least = SkdLeastSize(kind)](vtkIdType, const auto*, std::size_t size)
+      { isOneSmall |= size < least; });
+  }
+  return isOneSmall;
+}
+
 /// To broken cells, in order, those with so few points that VTK 9.1 cannot fetch any.
 void AddTooSmall(vtkPolyData* mesh, Ids& cells)
 {
@@ -221,7 +236,7 @@ SkdRepairedMesh SkdRepair(vtkDataSet* given)
   SkdBrokenCells broken = SkdFindBrokenCells(data);
   const std::string fault = broken.Ids.empty() ? std::string() : broken.Tell(data);
   auto* mesh = vtkPolyData::SafeDownCast(data);
-  if (mesh && !VTK_SKD_BUILDS_ALL_CELLS)
+  if (mesh && !VTK_SKD_BUILDS_ALL_CELLS && (!broken.Ids.empty() || HasTooSmall(mesh)))
   {
     AddTooSmall(mesh, broken.Ids);
   }

@@ -26,6 +26,11 @@ std::uint32_t SizeOfPiece(SkdShape shape)
 //------------------------------------------------------------------------------
 SkdPieceRuns::SkdPieceRuns(const SkdCellStore& store, double rounding)
 {
+  const SkdShape first = store.ShapeOf(0);
+  if (SizeOfPiece(first) == 0 && store.IsAllOf(first))
+  {
+    return;
+  }
   for (std::uint32_t cell = 0; cell < store.NumberOfCells(); ++cell)
   {
     const std::uint32_t size = SizeOfPiece(store.ShapeOf(cell));
