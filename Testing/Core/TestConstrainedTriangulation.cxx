@@ -58,8 +58,9 @@ std::set<Edge> CheckAndGetEdges(const Triangulation& made, const std::vector<Poi
 {
   std::set<Edge> edges;
   long long area = 0;
-  for (const auto& t : made.GetTriangles())
+  for (const skd::FlipMesh::Triangle& triangle : made.GetTriangles())
   {
+    const std::array<int, 3>& t = triangle.Corners;
     const long long part = AreaOf(points[t[0]], points[t[1]], points[t[2]]);
     EXPECT_GT(part, 0);
     area += part;
@@ -237,8 +238,9 @@ TEST(ConstrainedTriangulation, WithoutSegmentsItIsDelaunay)
   {
     made.Add(i);
   }
-  for (const auto& t : made.GetTriangles())
+  for (const skd::FlipMesh::Triangle& triangle : made.GetTriangles())
   {
+    const std::array<int, 3>& t = triangle.Corners;
     for (const Point& p : points)
     {
       EXPECT_FALSE(IsInCircle(points[t[0]], points[t[1]], points[t[2]], p));

@@ -3,6 +3,7 @@
 #ifndef SkdBooleanFaces_h
 #define SkdBooleanFaces_h
 
+#include "Core/Search/Tree/RawVector.h"
 #include "Solids/Boolean/SkdBooleanRule.h"
 
 namespace skdtree
@@ -11,9 +12,11 @@ namespace skdtree
 /// contains.
 struct SkdBooleanFaces
 {
-  std::vector<std::uint32_t> Facets;    ///< the first of each face
-  std::vector<std::uint32_t> Corners;   ///< of one face after the other
-  std::vector<std::uint32_t> Ends{ 0 }; ///< of these, before the first and of each face
+  using Numbers = skd::RawVector<std::uint32_t>;
+
+  Numbers Facets;    ///< the first of each face
+  Numbers Corners;   ///< of one face after the other
+  Numbers Ends{ 0 }; ///< of these, before the first and of each face
 
   template <class Iterator>
   void Add(std::uint32_t facet, Iterator first, Iterator last)

@@ -84,15 +84,16 @@ public:
     const double unscaled = 1.0 / this->Parts.Solids.GetPlacement().Scale;
     const auto pointAt = [&](vtkIdType i)
     { return unscaled * this->Facets.GetPosition(this->Moved, this->Points[i]); };
-    const std::vector<std::uint32_t>& items = this->Faces.Corners;
-    const std::vector<std::uint32_t>& offsets = this->Faces.Ends;
+    const SkdBooleanFaces::Numbers& items = this->Faces.Corners;
+    const SkdBooleanFaces::Numbers& offsets = this->Faces.Ends;
     auto starts =
       SkdMakeArray<vtkIdTypeArray>("offsets", 1, static_cast<vtkIdType>(offsets.size()));
     auto corners =
       SkdMakeArray<vtkIdTypeArray>("connectivity", 1, static_cast<vtkIdType>(items.size()));
     std::copy(offsets.begin(), offsets.end(), starts->GetPointer(0));
+    const std::uint32_t* const numbers = this->Numbers.data();
     std::transform(items.begin(), items.end(), corners->GetPointer(0),
-      [&](std::uint32_t corner) { return static_cast<vtkIdType>(this->Numbers[corner]); });
+      [numbers](std::uint32_t corner) { return static_cast<vtkIdType>(numbers[corner]); });
     vtkNew<vtkCellArray> cells;
     cells->SetData(starts, corners);
     this->To->SetPoints(SkdMakePoints(static_cast<vtkIdType>(this->Points.size()), pointAt));
@@ -225,18 +226,23 @@ private:
   {
     constexpr std::uint32_t none = 0xffffffffu;
     this->Numbers.assign(this->Moved.GetPoints().size() + this->Facets.NewPoints.size(), none);
+    std::uint32_t* const numbers = this->Numbers.data();
     for (const std::uint32_t corner : this->Faces.Corners)
     {
-      this->Numbers[corner] = 0;
+      numbers[corner] = 0;
     }
-    for (std::uint32_t point = 0; point < this->Numbers.size(); ++point)
+    this->Points.resize(this->Numbers.size());
+    std::uint32_t* const points = this->Points.data();
+    std::uint32_t count = 0;
+    const auto n = static_cast<std::uint32_t>(this->Numbers.size());
+    for (std::uint32_t point = 0; point < n; ++point)
     {
-      if (this->Numbers[point] != none)
-      {
-        this->Numbers[point] = static_cast<std::uint32_t>(this->Points.size());
-        this->Points.push_back(point);
-      }
+      const bool isUsed = numbers[point] != none;
+      points[count] = point; // without a branch: the next one takes its place
+      numbers[point] = isUsed ? count : none;
+      count += isUsed;
     }
+    this->Points.resize(count);
   }
 
   void AddIds(vtkIdType n, vtkCellData* data) const
@@ -302,13 +308,14 @@ private:
   {
     auto array = SkdMakeArray<vtkIdTypeArray>(SkdBooleanNames::Face, 1, n);
     SkdFaceSets& faces = this->Parts.Solids.GetFaces();
-    std::vector<vtkIdType> numbers(faces.GetNumberOfTriangles(), -1);
-    vtkIdType count = 0;
+    std::vector<std::uint32_t> numbers(faces.GetNumberOfTriangles(), 0); // and 1; 0: none yet
+    vtkIdType* const to = array->GetPointer(0);
+    std::uint32_t count = 0;
     for (vtkIdType i = 0; i < n; ++i)
     {
-      vtkIdType& number = numbers[faces.Find(this->ParentOf(i))];
-      number = number < 0 ? count++ : number;
-      array->SetValue(i, number);
+      std::uint32_t& number = numbers[faces.Find(this->ParentOf(i))];
+      number = number == 0 ? ++count : number;
+      to[i] = static_cast<vtkIdType>(number) - 1;
     }
     return array;
   }
@@ -340,7 +347,7 @@ private:
   const bool IsImprint;
   const SkdBooleanFaces Faces;
   std::vector<std::uint32_t> Numbers; // of the arrangement's points in the output
-  std::vector<std::uint32_t> Points;  // of the output, in the arrangement
+  skd::RawVector<std::uint32_t> Points; // of the output, in the arrangement
   vtkPolyData* To;
 };
 }

@@ -3,7 +3,6 @@
 #include "Solids/Boolean/SkdFlatFace.h"
 
 #include "Core/Geometry/Box.h"
-#include "Core/Geometry/Polygons/ConstrainedTriangulation.h"
 #include "Core/Geometry/Polygons/DelaunayEdge.h"
 #include "Core/Geometry/Predicates/Orient3D.h"
 
@@ -16,8 +15,6 @@ namespace skdtree
 {
 namespace
 {
-using Ends = std::pair<int, int>;
-
 /// Of those that are equal to within rounding the first.
 int LargestAxisOf(const skd::Vector3& normal)
 {
@@ -37,44 +34,42 @@ int LargestAxisOf(const skd::Vector3& normal)
 bool SkdFlatFace::ListPoints()
 {
   std::sort(this->Edges.begin(), this->Edges.end());
-  std::vector<std::uint32_t> from;
-  std::vector<std::uint32_t> to;
+  this->Points.clear();
+  this->Reached.clear();
   bool isSimple = this->Edges.size() > 2;
   for (const Edge& edge : this->Edges)
   {
-    from.push_back(edge.first);
-    to.push_back(edge.second);
+    this->Points.push_back(edge.first);
+    this->Reached.push_back(edge.second);
     isSimple = isSimple && edge.first != edge.second &&
       !std::binary_search(this->Edges.begin(), this->Edges.end(), Edge{ edge.second, edge.first });
   }
-  std::sort(to.begin(), to.end());
-  isSimple = isSimple && from == to &&
+  std::sort(this->Reached.begin(), this->Reached.end());
+  isSimple = isSimple && this->Points == this->Reached &&
     std::adjacent_find(this->Edges.begin(), this->Edges.end()) == this->Edges.end();
-  from.erase(std::unique(from.begin(), from.end()), from.end());
-  this->Points = std::move(from);
+  this->Points.erase(std::unique(this->Points.begin(), this->Points.end()), this->Points.end());
   return isSimple;
 }
 
 // Numbers follow the coordinates: which of several Delaunay triangulations is found depends on the
 // order in which points are added, and must not depend on how a mesh has numbered them.
-void SkdFlatFace::SetPositions(const std::vector<skd::Vector3>& positions)
+void SkdFlatFace::SetPositions()
 {
-  std::vector<std::size_t> order(positions.size());
-  std::iota(order.begin(), order.end(), std::size_t{ 0 });
-  std::sort(order.begin(), order.end(),
-    [&](std::size_t a, std::size_t b)
-    {
-      return std::lexicographical_compare(
-        positions[a].X, positions[a].X + 3, positions[b].X, positions[b].X + 3);
+  const std::vector<skd::Vector3>& given = this->Given;
+  this->Order.resize(given.size());
+  std::iota(this->Order.begin(), this->Order.end(), 0u);
+  std::sort(this->Order.begin(), this->Order.end(),
+    [&given](std::uint32_t a, std::uint32_t b) {
+      return std::lexicographical_compare(given[a].X, given[a].X + 3, given[b].X, given[b].X + 3);
     });
-  this->Numbers.resize(positions.size());
+  this->Numbers.resize(given.size());
   this->PointOf.assign(3, 0);
   this->Positions.resize(3); // around all, see Surround
-  for (const std::size_t i : order)
+  for (const std::uint32_t i : this->Order)
   {
     this->Numbers[i] = static_cast<int>(this->Positions.size());
     this->PointOf.push_back(this->Points[i]);
-    this->Positions.push_back(positions[i]);
+    this->Positions.push_back(given[i]);
   }
 }
 
@@ -84,16 +79,15 @@ int SkdFlatFace::NumberOf(std::uint32_t point) const
   return this->Numbers[static_cast<std::size_t>(at - this->Points.begin())];
 }
 
-// The edges by the numbers of their ends, ascending.
-std::vector<std::pair<int, int>> SkdFlatFace::ListEnds() const
+// The edges by the numbers of their ends.
+void SkdFlatFace::ListEnds()
 {
-  std::vector<Ends> ends;
+  this->ByNumber.clear();
   for (const Edge& edge : this->Edges)
   {
-    ends.emplace_back(this->NumberOf(edge.first), this->NumberOf(edge.second));
+    this->ByNumber.emplace_back(this->NumberOf(edge.first), this->NumberOf(edge.second));
   }
-  std::sort(ends.begin(), ends.end());
-  return ends;
+  std::sort(this->ByNumber.begin(), this->ByNumber.end());
 }
 
 //------------------------------------------------------------------------------
@@ -124,166 +118,111 @@ void SkdFlatFace::Surround(int axis, int sign)
 }
 
 //------------------------------------------------------------------------------
-std::optional<SkdFlatFace::Triangles> SkdFlatFace::Triangulate()
+bool SkdFlatFace::Triangulate(const skd::Vector3& normal)
 {
-  const int axis = LargestAxisOf(this->Normal);
-  const int sign = this->Normal[axis] < 0.0 ? -1 : 1;
+  const int axis = LargestAxisOf(normal);
+  const int sign = normal[axis] < 0.0 ? -1 : 1;
   this->Surround(axis, sign);
+  this->ListEnds();
   const auto& x = this->Positions;
   const auto orient = [&](int a, int b, int c)
   { return sign * skd::Orient2D(x[a], x[b], x[c], axis); };
   const auto isBetter = [&](int a, int b, int c, int d)
   { return skd::IsOtherEdgeDelaunay(x[a], x[b], x[c], x[d]); };
   const auto count = static_cast<int>(x.size());
-  skd::ConstrainedTriangulation<decltype(orient), decltype(isBetter)> made(count, orient, isBetter);
-  for (int i = 3; i < count; ++i)
+  skd::ConstrainedTriangulation<decltype(orient), decltype(isBetter)> made(
+    count, orient, isBetter, std::move(this->Memory));
+  int next = 3;
+  while (next < count && made.Add(next) == next)
   {
-    if (made.Add(i) != i)
+    ++next;
+  }
+  bool isMade = next == count;
+  if (isMade)
+  {
+    for (const Ends& edge : this->ByNumber)
     {
-      return std::nullopt;
+      made.Constrain(edge.first, edge.second);
     }
+    isMade = this->FindWindings(made.GetMesh()) && this->TakeInside(made.GetMesh());
   }
-  for (const Ends& edge : this->ListEnds())
-  {
-    made.Constrain(edge.first, edge.second);
-  }
-  return this->TakeInside(made.GetTriangles());
+  this->Memory = made.TakeMemory();
+  return isMade;
 }
 
 //------------------------------------------------------------------------------
 namespace
 {
-/// How often edges go around each triangle, to the left.
-class Windings
+constexpr int Unknown = std::numeric_limits<int>::max();
+
+std::size_t NumberOfSide(const skd::FlipMesh::Side& side)
 {
-public:
-  /// `edges` are ascending.
-  Windings(const std::vector<std::array<int, 3>>& all, const std::vector<Ends>& edges)
-    : All(all)
-    , Edges(edges)
-    , Numbers(all.size(), Unknown)
-    , AreEdges(3 * all.size(), false)
-  {
-    this->Sides.reserve(3 * all.size());
-    for (std::size_t triangle = 0; triangle < all.size(); ++triangle)
-    {
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        const Ends side{ all[triangle][i], all[triangle][(i + 1) % 3] };
-        this->Sides.push_back({ KeyOf(side), 3 * triangle + i });
-      }
-    }
-    std::sort(this->Sides.begin(), this->Sides.end());
-  }
-
-  /// False if an edge is missing. Triangles with corners below `least` are outside of all.
-  bool Find(int least)
-  {
-    const bool isWhole = this->MarkEdges();
-    std::vector<std::size_t> found;
-    for (std::size_t triangle = 0; triangle < this->All.size() && found.empty(); ++triangle)
-    {
-      const auto& corners = this->All[triangle];
-      if (*std::min_element(corners.begin(), corners.end()) < least)
-      {
-        this->Numbers[triangle] = 0;
-        found.push_back(triangle);
-      }
-    }
-    for (std::size_t at = 0; isWhole && at < found.size(); ++at)
-    {
-      this->Cross(found[at], found);
-    }
-    return isWhole;
-  }
-
-  int Get(std::size_t triangle) const { return this->Numbers[triangle]; }
-
-private:
-  static constexpr int Unknown = std::numeric_limits<int>::max();
-
-  struct Side
-  {
-    std::uint64_t Key;  // its ends as one number
-    std::size_t Number; // thrice that of the triangle, and more
-    bool operator<(const Side& other) const { return this->Key < other.Key; }
-  };
-
-  static std::uint64_t KeyOf(const Ends& side)
-  {
-    return static_cast<std::uint64_t>(side.first) << 32 | static_cast<std::uint32_t>(side.second);
-  }
-
-  bool MarkEdges()
-  {
-    return std::all_of(this->Edges.begin(), this->Edges.end(),
-      [this](const Ends& edge)
-      {
-        const Side* left = this->FindLeft(edge);
-        if (left)
-        {
-          this->AreEdges[left->Number] = true;
-        }
-        return left != nullptr;
-      });
-  }
-
-  const Side* FindLeft(const Ends& side) const
-  {
-    const auto at =
-      std::lower_bound(this->Sides.begin(), this->Sides.end(), Side{ KeyOf(side), 0 });
-    return at != this->Sides.end() && at->Key == KeyOf(side) ? &*at : nullptr;
-  }
-
-  /// To the neighbors of a triangle, which are added.
-  void Cross(std::size_t triangle, std::vector<std::size_t>& found)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const auto& corners = this->All[triangle];
-      const Side* beyond = this->FindLeft({ corners[(i + 1) % 3], corners[i] });
-      if (beyond && this->Numbers[beyond->Number / 3] == Unknown)
-      {
-        this->Numbers[beyond->Number / 3] = this->Numbers[triangle] +
-          this->AreEdges[beyond->Number] - this->AreEdges[3 * triangle + i];
-        found.push_back(beyond->Number / 3);
-      }
-    }
-  }
-
-  const std::vector<std::array<int, 3>>& All;
-  const std::vector<Ends>& Edges;
-  std::vector<int> Numbers;   // of each triangle
-  std::vector<bool> AreEdges; // of each side, by its number
-  std::vector<Side> Sides;    // ascending
-};
+  return 3 * static_cast<std::size_t>(side.At) + static_cast<std::size_t>(side.Index);
+}
 }
 
-std::optional<SkdFlatFace::Triangles> SkdFlatFace::TakeInside(
-  const std::vector<std::array<int, 3>>& all) const
+// How often edges go around each triangle, to the left. False if an edge is missing. Triangles with
+// one of the first three corners are outside of all.
+bool SkdFlatFace::FindWindings(const skd::FlipMesh& mesh)
 {
-  const std::vector<Ends> edges = this->ListEnds();
-  Windings windings(all, edges);
-  if (!windings.Find(3))
+  const std::vector<skd::FlipMesh::Triangle>& all = mesh.GetAll();
+  this->AreEdges.assign(3 * all.size(), 0);
+  for (const Ends& edge : this->ByNumber)
   {
-    return std::nullopt;
+    const skd::FlipMesh::Side left = mesh.FindSide(edge.first, edge.second);
+    if (left.At < 0)
+    {
+      return false;
+    }
+    this->AreEdges[NumberOfSide(left)] = 1;
   }
-  Triangles taken;
-  for (std::size_t triangle = 0; triangle < all.size(); ++triangle)
+  this->Windings.assign(all.size(), Unknown);
+  const auto outside = std::find_if(all.begin(), all.end(),
+    [](const skd::FlipMesh::Triangle& triangle)
+    { return *std::min_element(triangle.Corners.begin(), triangle.Corners.end()) < 3; });
+  this->Open.clear();
+  if (outside != all.end())
   {
-    const int winding = windings.Get(triangle);
+    this->Open.push_back(static_cast<int>(outside - all.begin()));
+    this->Windings[outside - all.begin()] = 0;
+  }
+  while (!this->Open.empty())
+  {
+    const int at = this->Open.back();
+    this->Open.pop_back();
+    for (int i = 0; i < 3; ++i)
+    {
+      const skd::FlipMesh::Side beyond = mesh.Across({ at, i });
+      if (beyond.At >= 0 && this->Windings[beyond.At] == Unknown)
+      {
+        this->Windings[beyond.At] = this->Windings[at] + this->AreEdges[NumberOfSide(beyond)] -
+          this->AreEdges[NumberOfSide({ at, i })];
+        this->Open.push_back(beyond.At);
+      }
+    }
+  }
+  return true;
+}
+
+bool SkdFlatFace::TakeInside(const skd::FlipMesh& mesh)
+{
+  this->Taken.Left.clear();
+  this->Taken.Right.clear();
+  for (std::size_t triangle = 0; triangle < mesh.GetAll().size(); ++triangle)
+  {
+    const int winding = this->Windings[triangle];
     if (winding != 0 && std::abs(winding) != 1)
     {
-      return std::nullopt;
+      return false;
     }
     if (winding != 0)
     {
-      const std::array<int, 3>& of = all[triangle];
+      const std::array<int, 3>& of = mesh.GetAll()[triangle].Corners;
       const Corners corners{ this->PointOf[of[0]], this->PointOf[of[1]], this->PointOf[of[2]] };
-      winding > 0 ? taken.Left.push_back(corners)
-                  : taken.Right.push_back({ corners[0], corners[2], corners[1] });
+      winding > 0 ? this->Taken.Left.push_back(corners)
+                  : this->Taken.Right.push_back({ corners[0], corners[2], corners[1] });
     }
   }
-  return taken;
+  return true;
 }
 }

@@ -8,6 +8,7 @@
 #include "Solids/Boolean/SkdOppositeParts.h"
 #include "Solids/Boolean/SkdRoundedPlane.h"
 #include "Solids/Boolean/SkdSlivers.h"
+#include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <array>
@@ -211,11 +212,11 @@ private:
     return this->Signs[this->Parts.GetFirstFacetOf(part)];
   }
 
-  /// The edges around a part as its first facet has them, without points that are taken out.
-  std::vector<SkdFlatFace::Edge> ListEdges(std::uint32_t part) const
+  /// Adds the edges around a part as its first facet has them, without points that are taken out.
+  void ListEdges(std::uint32_t part, SkdFlatFace& face) const
   {
     const bool isReversed = this->SignOf(part) < 0;
-    std::vector<SkdFlatFace::Edge> edges;
+    face.Begin();
     for (const std::uint32_t i : this->Parts.GetBorderOf(part))
     {
       const BorderEdge& edge = this->Parts.GetBorder()[i];
@@ -228,15 +229,21 @@ private:
       {
         to = this->Parts.FindNext(to, part)->To;
       }
-      edges.emplace_back(isReversed ? to : edge.From, isReversed ? edge.From : to);
+      face.Add(isReversed ? to : edge.From, isReversed ? edge.From : to);
     }
-    return edges;
   }
 
-  /// Whether a part has points that it does not need.
-  bool HasSpare(std::uint32_t part) const
+  /// What a thread triangulates parts in.
+  struct Memory
   {
-    std::vector<std::uint32_t> onBorder;
+    SkdFlatFace Face;
+    std::vector<std::uint32_t> OnBorder;
+  };
+
+  /// Whether a part has points that it does not need. `onBorder` is for what is listed.
+  bool HasSpare(std::uint32_t part, std::vector<std::uint32_t>& onBorder) const
+  {
+    onBorder.clear();
     for (const std::uint32_t edge : this->Parts.GetBorderOf(part))
     {
       onBorder.push_back(this->Parts.GetBorder()[edge].From);
@@ -281,7 +288,7 @@ private:
     return isFlat ? std::make_optional(normal) : std::nullopt;
   }
 
-  Made Triangulate(std::uint32_t part) const
+  Made Triangulate(std::uint32_t part, SkdFlatFace& face) const
   {
     const std::optional<skd::Vector3> normal = this->FindNormal(part);
     if (!normal)
@@ -289,16 +296,15 @@ private:
       return {};
     }
     const bool isMerged = this->Parts.IsMerged(part);
-    std::vector<SkdFlatFace::Edge> edges = this->ListEdges(part);
-    if (isMerged && edges.empty())
+    this->ListEdges(part, face);
+    if (isMerged && face.IsEmpty())
     {
       return { true, {} };
     }
-    auto triangles = SkdFlatFace(std::move(edges), *normal)
-                       .Triangulate([this](std::uint32_t point) { return this->At(point); });
+    const SkdFlatFace::Triangles* const triangles =
+      face.Triangulate(*normal, [this](std::uint32_t point) { return this->At(point); });
     const bool isMade = triangles && (isMerged || triangles->Right.empty());
-    return isMade ? Made{ true, { std::move(triangles->Left), std::move(triangles->Right) } }
-                  : Made{};
+    return isMade ? Made{ true, { triangles->Left, triangles->Right } } : Made{};
   }
 
   /// A part that cannot be triangulated gets its points back, and its neighbours get those that
@@ -310,6 +316,7 @@ private:
     std::vector<bool> isRetained(n, false);
     std::vector<std::uint32_t> left(n);
     std::iota(left.begin(), left.end(), 0u);
+    vtkSMPThreadLocal<Memory> memories;
     while (!left.empty())
     {
       std::vector<unsigned char> isFailed(left.size(), 0);
@@ -318,9 +325,10 @@ private:
         {
           const std::uint32_t part = left[i];
           this->MadeOf[part] = {};
-          if (this->Parts.IsMerged(part) || this->HasSpare(part))
+          Memory& memory = memories.Local();
+          if (this->Parts.IsMerged(part) || this->HasSpare(part, memory.OnBorder))
           {
-            this->MadeOf[part] = this->Triangulate(part);
+            this->MadeOf[part] = this->Triangulate(part, memory.Face);
             isFailed[i] = !this->MadeOf[part].IsMade;
           }
         });

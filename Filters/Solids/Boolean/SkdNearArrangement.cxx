@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdNearArrangement.h"
 
+#include "Core/Search/Tree/RawVector.h"
 #include "Pipeline/SkdLoop.h"
 #include "Solids/Boolean/SkdJoinPieces.h"
 #include "Solids/Boolean/SkdNearSides.h"
@@ -46,16 +47,15 @@ bool SkdNearArrangement::Arrange(const SkdNearLimits& limits, vtkAlgorithm* filt
     return false; // points of both surfaces are one
   }
   this->Placement.emplace(SkdMakePlacement(this->Set, nullptr, std::nullopt));
-  const auto numberOf = [this](std::uint32_t triangle)
+  skd::RawVector<std::uint32_t> numbers(this->Pair.GetSet().GetTriangles().size()); // of these
+  for (std::uint32_t i = 0; i < this->Triangles.size(); ++i)
   {
-    return static_cast<std::uint32_t>(
-      std::lower_bound(this->Triangles.begin(), this->Triangles.end(), triangle) -
-      this->Triangles.begin());
-  };
+    numbers[this->Triangles[i]] = i;
+  }
   for (auto& [first, second] : near.Pairs)
   {
-    first = numberOf(first);
-    second = numberOf(second);
+    first = numbers[first];
+    second = numbers[second];
   }
   SkdLoop loop(filter, 0, Progress, Progress, 8);
   const auto pairs =
@@ -195,31 +195,28 @@ SkdNearBoundary SkdNearArrangement::Merge(
 {
   SkdNearBoundary merged;
   const auto n = static_cast<std::uint32_t>(this->Pair.GetSet().GetTriangles().size());
-  merged.Facets.Facets.Corners.resize(n + facets.GetNumberOfFacets());
-  merged.Facets.Facets.Parents.resize(n + facets.GetNumberOfFacets());
-  merged.Facets.Signs.resize(n + facets.GetNumberOfFacets());
+  const std::size_t most = n - this->Triangles.size() + facets.GetNumberOfFacets();
+  merged.Facets.Facets.Corners.reserve(most);
+  merged.Facets.Facets.Parents.reserve(most);
+  merged.Facets.Signs.reserve(most);
   SignCache cache(*this, rule);
   std::array<SkdAreaSum, 2> sums; // of each surface
   std::uint32_t next = 0;         // triangle
   std::uint32_t facet = 0;
-  std::size_t count = 0;
   for (std::uint32_t i = 0; i < this->Triangles.size(); ++i)
   {
-    this->AddWhole(next, this->Triangles[i], cache, merged.Facets, count, sums);
+    this->AddWhole(next, this->Triangles[i], cache, merged.Facets, sums);
     next = this->Triangles[i] + 1;
     for (; facet < signs.size() && facets.Parents[facet] == i; ++facet)
     {
       const auto [a, b, c] = facets.Corners[facet];
-      merged.Facets.Facets.Corners[count] = { this->PointOf(a), this->PointOf(b),
-        this->PointOf(c) };
-      merged.Facets.Facets.Parents[count] = this->Triangles[i];
-      merged.Facets.Signs[count++] = signs[facet];
+      merged.Facets.Facets.Corners.push_back(
+        { this->PointOf(a), this->PointOf(b), this->PointOf(c) });
+      merged.Facets.Facets.Parents.push_back(this->Triangles[i]);
+      merged.Facets.Signs.push_back(signs[facet]);
     }
   }
-  this->AddWhole(next, n, cache, merged.Facets, count, sums);
-  merged.Facets.Facets.Corners.resize(count);
-  merged.Facets.Facets.Parents.resize(count);
-  merged.Facets.Signs.resize(count);
+  this->AddWhole(next, n, cache, merged.Facets, sums);
   merged.Facets.Facets.NewPoints = this->PointsOfWhole(facets.NewPoints);
   merged.Measures = this->Measure(facets, signs, sums);
   return merged;
@@ -227,12 +224,10 @@ SkdNearBoundary SkdNearArrangement::Merge(
 
 /// Adds consecutive triangles that are not in the part.
 void SkdNearArrangement::AddWhole(std::uint32_t first, std::uint32_t end, SignCache& cache,
-  SkdRoundedFacets& to, std::size_t& count, std::array<SkdAreaSum, 2>& sums) const
+  SkdRoundedFacets& to, std::array<SkdAreaSum, 2>& sums) const
 {
   const auto* const all = this->Pair.GetSet().GetTriangles().data();
-  SkdTriangleSet::Corners* const corners = to.Facets.Corners.data();
-  std::uint32_t* const parents = to.Facets.Parents.data();
-  signed char* const signs = to.Signs.data();
+  std::vector<std::uint32_t>& parents = to.Facets.Parents;
   const int* const others = this->OtherOf.data();
   for (std::uint32_t begin = first; begin < end;)
   {
@@ -246,10 +241,10 @@ void SkdNearArrangement::AddWhole(std::uint32_t first, std::uint32_t end, SignCa
     const signed char sign = cache.Get(component, other);
     if (sign != 0)
     {
-      std::copy(all + begin, all + last, corners + count);
-      std::iota(parents + count, parents + count + (last - begin), begin);
-      std::fill(signs + count, signs + count + (last - begin), sign);
-      count += last - begin;
+      to.Facets.Corners.insert(to.Facets.Corners.end(), all + begin, all + last);
+      parents.resize(parents.size() + (last - begin));
+      std::iota(parents.end() - (last - begin), parents.end(), begin);
+      to.Signs.insert(to.Signs.end(), last - begin, sign);
       sums[this->Pair.IsOfSource(begin)].Add(this->Pair.SumAreas(begin, last), sign);
     }
     begin = last;

@@ -66,7 +66,7 @@ private:
   SkdNearBoundary Merge(
     const SkdFacets& facets, const SkdFacetSigns& signs, const SkdBooleanRule& rule) const;
   void AddWhole(std::uint32_t first, std::uint32_t end, SignCache& cache, SkdRoundedFacets& to,
-    std::size_t& count, std::array<SkdAreaSum, 2>& sums) const;
+    std::array<SkdAreaSum, 2>& sums) const;
   std::vector<SkdSplitPoint> PointsOfWhole(std::vector<SkdSplitPoint> points) const;
   SkdBoundaryMeasures Measure(const SkdFacets& facets, const SkdFacetSigns& signs,
     const std::array<SkdAreaSum, 2>& others) const;

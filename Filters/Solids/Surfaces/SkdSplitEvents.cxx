@@ -23,22 +23,33 @@ struct Piece
   double Max[2];
 };
 
+/// What a thread finds, and what it works in.
+struct Found
+{
+  std::vector<SkdSplitEvent> Events;
+  std::vector<Piece> Pieces;
+  std::vector<std::uint32_t> Chain;
+};
+
 /// The intersections of the segments of one triangle.
 class Triangle
 {
 public:
-  Triangle(const SkdSplitSegments& segments, int axis, std::vector<SkdSplitEvent>& events)
+  Triangle(const SkdSplitSegments& segments, int axis, Found& found)
     : Segments(segments)
     , Points(segments.GetPoints())
     , Axis(axis)
-    , Events(events)
+    , Events(found.Events)
+    , Pieces(found.Pieces)
+    , Chain(found.Chain)
   {
+    this->Pieces.clear();
   }
 
   void Add(std::uint32_t segment)
   {
-    const std::vector<std::uint32_t> chain = this->Segments.GetChain(segment);
-    this->Pieces.reserve(this->Pieces.size() + chain.size());
+    std::vector<std::uint32_t>& chain = this->Chain;
+    this->Segments.GetChain(segment, chain);
     if (chain.size() == 1)
     {
       this->AddPiece(chain[0], chain[0], segment);
@@ -183,7 +194,8 @@ private:
   const SkdSplitPoints& Points;
   const int Axis;
   std::vector<SkdSplitEvent>& Events;
-  std::vector<Piece> Pieces;
+  std::vector<Piece>& Pieces;
+  std::vector<std::uint32_t>& Chain;
 };
 
 using Elements = std::vector<SkdSplitElement>;
@@ -210,37 +222,37 @@ std::vector<SkdSplitEvent> SkdSplitSegments::FindEvents(int number) const
   const std::vector<std::size_t> starts = FindStarts(side.Elements);
   const auto isNew = [&](const SkdSplitElement& element)
   { return this->GetSegment(element.Segment).IsNew; };
-  const auto findIn = [&](std::size_t begin, std::size_t end, std::vector<SkdSplitEvent>& events)
+  const auto findIn = [&](std::size_t begin, std::size_t end, Found& found)
   {
     const auto first = side.Elements.begin();
     if (end - begin > 1 && std::any_of(first + begin, first + end, isNew))
     {
       const std::uint32_t at = side.Elements[begin].Triangle;
-      Triangle triangle(*this, side.Set->Get(at).Axis, events);
+      Triangle triangle(*this, side.Set->Get(at).Axis, found);
       std::for_each(first + begin, first + end,
         [&](const SkdSplitElement& element) { triangle.Add(element.Segment); });
       triangle.Find();
     }
   };
-  vtkSMPThreadLocal<std::vector<SkdSplitEvent>> found;
+  vtkSMPThreadLocal<Found> foundBy;
   std::atomic<std::size_t> count{ 0 };
   SkdForEach(
     static_cast<vtkIdType>(starts.size()) - 1,
     [&](vtkIdType i)
     {
-      std::vector<SkdSplitEvent>& events = found.Local();
-      const std::size_t before = events.size();
+      Found& found = foundBy.Local();
+      const std::size_t before = found.Events.size();
       if (count <= this->MostEvents)
       {
-        findIn(starts[i], starts[i + 1], events);
-        count += events.size() - before;
+        findIn(starts[i], starts[i + 1], found);
+        count += found.Events.size() - before;
       }
     },
     64);
   std::vector<SkdSplitEvent> all;
-  for (const std::vector<SkdSplitEvent>& some : found)
+  for (const Found& some : foundBy)
   {
-    all.insert(all.end(), some.begin(), some.end());
+    all.insert(all.end(), some.Events.begin(), some.Events.end());
   }
   std::sort(all.begin(), all.end());
   return all;

@@ -12,6 +12,20 @@ namespace skdtree
 {
 namespace
 {
+/// What a slot has, or make() for it if it has nothing. Of two threads that make one the first
+/// keeps its own.
+template <class T, class Make>
+const T& MadeOnce(std::atomic<const T*>& slot, const Make& make)
+{
+  const T* known = slot.load();
+  if (!known)
+  {
+    auto made = std::make_unique<const T>(make());
+    known = slot.compare_exchange_strong(known, made.get()) ? made.release() : known;
+  }
+  return *known;
+}
+
 double LargestCoordinateOf(const SkdTriangleSet::PointList& points)
 {
   double extent = 0.0;
@@ -45,6 +59,7 @@ SkdSplitPoints::SkdSplitPoints(const SkdContactPoints& contacts, const SkdPlacem
   , Positions(contacts.GetNumberOfPoints())
   , ExactAxes(contacts.GetNumberOfPoints())
   , Exact(contacts.GetNumberOfPoints())
+  , Close(contacts.GetNumberOfPoints())
   , Same(contacts.GetNumberOfPoints())
 {
   const double extent = std::max(LargestCoordinateOf(placement.First.GetPoints()),
@@ -63,6 +78,10 @@ SkdSplitPoints::~SkdSplitPoints()
   for (const std::atomic<const skd::ExactPoint*>& exact : this->Exact)
   {
     delete exact.load();
+  }
+  for (const std::atomic<const skd::ClosePoint*>& close : this->Close)
+  {
+    delete close.load();
   }
 }
 
@@ -104,17 +123,14 @@ std::uint32_t SkdSplitPoints::Find(std::uint32_t point) const
   return this->Same.Find(point);
 }
 
-// Of two threads that make one the first keeps its own.
 const skd::ExactPoint& SkdSplitPoints::GetExact(std::uint32_t point) const
 {
-  std::atomic<const skd::ExactPoint*>& slot = this->Exact[point];
-  const skd::ExactPoint* known = slot.load();
-  if (!known)
-  {
-    auto made = std::make_unique<const skd::ExactPoint>(this->MakeExact(point));
-    known = slot.compare_exchange_strong(known, made.get()) ? made.release() : known;
-  }
-  return *known;
+  return MadeOnce(this->Exact[point], [&] { return this->MakeExact(point); });
+}
+
+const skd::ClosePoint& SkdSplitPoints::GetClose(std::uint32_t point) const
+{
+  return MadeOnce(this->Close[point], [&] { return this->Contacts.GetClose(point); });
 }
 
 skd::ExactPoint SkdSplitPoints::MakeExact(std::uint32_t point) const
@@ -149,9 +165,9 @@ int SkdSplitPoints::Orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, in
   {
     return 0;
   }
-  const int close = areContacts ? skd::CloseOrient2D(this->Contacts.GetClose(a),
-                                    this->Contacts.GetClose(b), this->Contacts.GetClose(c), axis)
-                                : 0;
+  const int close = areContacts
+    ? skd::CloseOrient2D(this->GetClose(a), this->GetClose(b), this->GetClose(c), axis)
+    : 0;
   return close != 0
     ? close
     : skd::ExactArea(this->GetExact(a), this->GetExact(b), this->GetExact(c), axis).Sign();

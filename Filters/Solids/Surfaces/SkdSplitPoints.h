@@ -87,6 +87,7 @@ private:
     int Axis;
   };
   skd::ExactPoint MakeExact(std::uint32_t point) const;
+  const skd::ClosePoint& GetClose(std::uint32_t point) const;
   unsigned char FindExactAxes(
     const std::array<std::uint32_t, 4>& ends, const skd::Vector3& position) const;
 
@@ -94,9 +95,10 @@ private:
   double Error;
   std::vector<Crossing> Crossings;
   std::vector<skd::Vector3> Positions;
-  std::vector<unsigned char> ExactAxes;                          // of these, a bit each
-  mutable std::deque<std::atomic<const skd::ExactPoint*>> Exact; // nullptr: not known yet
-  skd::DisjointSets<> Same;                                      // points of one position
+  std::vector<unsigned char> ExactAxes;                           // of these, a bit each
+  mutable std::deque<std::atomic<const skd::ExactPoint*>> Exact;  // nullptr: not known yet
+  mutable std::vector<std::atomic<const skd::ClosePoint*>> Close; // of contact points, the same
+  skd::DisjointSets<> Same;                                       // points of one position
 };
 }
 

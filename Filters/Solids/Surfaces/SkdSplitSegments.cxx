@@ -207,10 +207,10 @@ void SkdSplitSegments::SortBetween(SkdSplitSegment& segment)
   }
 }
 
-std::vector<std::uint32_t> SkdSplitSegments::GetChain(std::uint32_t number) const
+void SkdSplitSegments::GetChain(std::uint32_t number, std::vector<std::uint32_t>& chain) const
 {
   const SkdSplitSegment& segment = this->Segments[number];
-  std::vector<std::uint32_t> chain{ this->Points.Find(segment.A) };
+  chain.assign(1, this->Points.Find(segment.A));
   const auto add = [&](std::uint32_t point)
   {
     point = this->Points.Find(point);
@@ -221,7 +221,6 @@ std::vector<std::uint32_t> SkdSplitSegments::GetChain(std::uint32_t number) cons
   };
   std::for_each(segment.Between.begin(), segment.Between.end(), add);
   add(segment.B);
-  return chain;
 }
 
 //------------------------------------------------------------------------------
@@ -342,7 +341,8 @@ bool SkdSplitSegments::TakeFromEdge(const Side& side, const SkdSplitElement& ele
   {
     return false;
   }
-  const std::vector<std::uint32_t> chain = this->GetChain(element.Segment);
+  std::vector<std::uint32_t> chain;
+  this->GetChain(element.Segment, chain);
   const int sign = this->Points.Compare(segment.B, segment.A, axis);
   bool isChanged = false;
   for (auto at = first; at != last; ++at)

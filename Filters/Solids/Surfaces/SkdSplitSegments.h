@@ -100,7 +100,7 @@ public:
   const SkdSplitSegment& GetSegment(std::uint32_t segment) const { return this->Segments[segment]; }
 
   /// All points of a segment, including its ends, as representatives; consecutive ones differ.
-  std::vector<std::uint32_t> GetChain(std::uint32_t segment) const;
+  void GetChain(std::uint32_t segment, std::vector<std::uint32_t>& chain) const;
 
   /// The segments and points that split one of the sets (1: the second).
   struct Side

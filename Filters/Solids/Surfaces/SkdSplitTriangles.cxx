@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Surfaces/SkdSplitTriangles.h"
 
+#include "Cells/Read/SkdForEach.h"
 #include "Pipeline/SkdLoop.h"
 #include "Solids/Surfaces/SkdTriangleSplitter.h"
+#include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numeric>
 
 namespace skdtree
@@ -22,12 +25,8 @@ public:
   SideSplitting(const SkdSplitSegments& segments, int side)
     : Segments(segments)
     , Side(segments.GetSide(side))
-    , IsOnSplitEdge(this->Side.Set->GetPoints().size(), false)
+    , Edges(this->Side)
   {
-    for (const SkdSplitEdgePoint& point : this->Side.EdgePoints)
-    {
-      this->IsOnSplitEdge[point.From] = this->IsOnSplitEdge[point.To] = true;
-    }
   }
 
   std::optional<SkdSplitResult> Split(SkdLoop& loop)
@@ -39,46 +38,87 @@ public:
     const bool isDone = loop.For(count,
       [&](vtkIdType begin, vtkIdType end)
       {
+        Thread& thread = this->Threads.Local();
+        if (!thread.Splitter)
+        {
+          thread.Splitter =
+            std::make_shared<SkdTriangleSplitter>(this->Segments, this->Side, this->Edges);
+        }
         for (vtkIdType i = begin; i < end; ++i)
         {
-          this->DoWork(works[i]);
+          this->DoWork(works[i], thread);
         }
       });
     return isDone ? std::make_optional(this->Gather(works, n)) : std::nullopt;
   }
 
 private:
+  /// A point in a triangle, of its corners or edges as a bit each of these says.
   struct NewPoint
   {
-    std::uint32_t Id;
-    SkdSplitPoint Point;
-  };
-  struct Work
-  {
+    std::uint32_t Point; // in SkdSplitPoints
+    unsigned Edges;
     std::uint32_t Triangle;
+  };
+
+  /// What a thread makes, and works in.
+  struct Thread
+  {
+    std::shared_ptr<SkdTriangleSplitter> Splitter; // nullptr: not used yet
     std::vector<Corners> Pieces;
     std::vector<NewPoint> Points;
     std::vector<SkdSplitEdge> Curves;
   };
 
-  SkdSplitResult Gather(std::vector<Work>& works, std::size_t n) const
+  struct Range
+  {
+    std::size_t Begin;
+    std::size_t End;
+
+    std::size_t GetSize() const { return this->End - this->Begin; }
+  };
+
+  /// A triangle, and what it becomes in what its thread made.
+  struct Work
+  {
+    std::uint32_t Triangle;
+    std::uint32_t FirstElement;
+    std::uint32_t EndOfElements;
+    const Thread* By;
+    Range Pieces;
+    Range Points;
+    Range Curves;
+  };
+
+  SkdSplitResult Gather(const std::vector<Work>& works, std::size_t n) const
   {
     SkdSplitResult result;
-    this->NumberPoints(works, result);
+    const std::vector<std::uint32_t> numbers = this->NumberPoints(works, result);
+    const auto before = static_cast<std::uint32_t>(this->Side.Set->GetPoints().size());
+    const auto number = [&](std::uint32_t corner)
+    { return corner < before ? corner : before + numbers[corner - before]; };
     result.NumberSplit = std::count_if( // neighbours may have points at corners only
-      works.begin(), works.end(), [](const Work& work) { return work.Pieces.size() > 1; });
+      works.begin(), works.end(), [](const Work& work) { return work.Pieces.GetSize() > 1; });
     std::size_t count = n - works.size();
     std::for_each(
-      works.begin(), works.end(), [&](const Work& work) { count += work.Pieces.size(); });
+      works.begin(), works.end(), [&](const Work& work) { count += work.Pieces.GetSize(); });
     result.Triangles.reserve(count);
     result.Parents.reserve(count);
     std::uint32_t triangle = 0;
     for (const Work& work : works)
     {
       this->AddWhole(triangle, work.Triangle, result);
-      result.Triangles.insert(result.Triangles.end(), work.Pieces.begin(), work.Pieces.end());
-      result.Parents.insert(result.Parents.end(), work.Pieces.size(), work.Triangle);
-      result.Curves.insert(result.Curves.end(), work.Curves.begin(), work.Curves.end());
+      for (std::size_t i = work.Pieces.Begin; i < work.Pieces.End; ++i)
+      {
+        const Corners& piece = work.By->Pieces[i];
+        result.Triangles.push_back({ number(piece[0]), number(piece[1]), number(piece[2]) });
+        result.Parents.push_back(work.Triangle);
+      }
+      for (std::size_t i = work.Curves.Begin; i < work.Curves.End; ++i)
+      {
+        const SkdSplitEdge& edge = work.By->Curves[i];
+        result.Curves.push_back(SkdMakeSplitEdge(number(edge.first), number(edge.second)));
+      }
       triangle = work.Triangle + 1;
     }
     this->AddWhole(triangle, static_cast<std::uint32_t>(n), result);
@@ -109,80 +149,121 @@ private:
 
   bool HasEdgePoints(std::uint32_t triangle) const
   {
-    const Corners& corners = this->Side.Set->GetCorners(triangle);
-    const std::array<bool, 3> isOn{ this->IsOnSplitEdge[corners[0]],
-      this->IsOnSplitEdge[corners[1]], this->IsOnSplitEdge[corners[2]] };
-    return (isOn[0] && isOn[1] && this->IsSplitEdge(corners[0], corners[1])) ||
-      (isOn[1] && isOn[2] && this->IsSplitEdge(corners[1], corners[2])) ||
-      (isOn[2] && isOn[0] && this->IsSplitEdge(corners[2], corners[0]));
-  }
-
-  bool IsSplitEdge(std::uint32_t a, std::uint32_t b) const
-  {
-    return std::binary_search(this->Side.EdgePoints.begin(), this->Side.EdgePoints.end(),
-      SkdSplitEdgePoint{ std::min(a, b), std::max(a, b), 0 },
-      [](const SkdSplitEdgePoint& first, const SkdSplitEdgePoint& second)
-      { return first.From != second.From ? first.From < second.From : first.To < second.To; });
+    const auto isSplit = [this](std::uint32_t a, std::uint32_t b)
+    {
+      const SkdSplitEdges::Row row = this->Edges.Find(a, b);
+      return row.First != row.Last;
+    };
+    const auto [a, b, c] = this->Side.Set->GetCorners(triangle);
+    const bool areAny =
+      this->Edges.AreAtLower(a) || this->Edges.AreAtLower(b) || this->Edges.AreAtLower(c);
+    return areAny && (isSplit(a, b) || isSplit(b, c) || isSplit(c, a));
   }
 
   std::vector<Work> ListWorks(std::size_t n) const
   {
     std::vector<Work> works;
-    auto element = this->Side.Elements.begin();
+    const std::vector<SkdSplitElement>& elements = this->Side.Elements;
+    std::uint32_t element = 0;
     for (std::uint32_t triangle = 0; triangle < n; ++triangle)
     {
-      const auto first = element;
-      while (element != this->Side.Elements.end() && element->Triangle == triangle)
+      const std::uint32_t first = element;
+      while (element < elements.size() && elements[element].Triangle == triangle)
       {
         ++element;
       }
       if ((first != element || this->HasEdgePoints(triangle)) &&
         this->Side.Set->HasArea(triangle) && this->Side.Set->GetSet().IsSearched(triangle))
       {
-        works.push_back({ triangle, {}, {}, {} });
+        works.push_back({ triangle, first, element, nullptr, {}, {}, {} });
       }
     }
     return works;
   }
 
-  void DoWork(Work& work) const
+  void DoWork(Work& work, Thread& thread) const
   {
-    const SkdSplitElement least{ work.Triangle, 0, 0, 0 };
-    const SkdSplitElement next{ work.Triangle + 1, 0, 0, 0 };
-    const SkdSplitElement* elements = this->Side.Elements.data();
-    const SkdSplitElement* end = elements + this->Side.Elements.size();
-    SkdTriangleSplitter splitter(this->Segments, this->Side, work.Triangle);
-    work.Pieces =
-      splitter.Split(std::lower_bound(elements, end, least), std::lower_bound(elements, end, next));
-    work.Curves = splitter.GetCurves();
-    const SkdSplitCorners& points = splitter.GetCorners();
-    for (int i = 3; i < points.Count(); ++i)
+    work.By = &thread;
+    work.Pieces.Begin = thread.Pieces.size();
+    work.Points.Begin = thread.Points.size();
+    work.Curves.Begin = thread.Curves.size();
+    const SkdSplitElement* const elements = this->Side.Elements.data();
+    thread.Splitter->Split(
+      work.Triangle, elements + work.FirstElement, elements + work.EndOfElements, thread.Pieces);
+    const std::vector<SkdSplitEdge>& curves = thread.Splitter->GetCurves();
+    thread.Curves.insert(thread.Curves.end(), curves.begin(), curves.end());
+    const SkdSplitCorners& corners = thread.Splitter->GetCorners();
+    for (int i = 3; i < corners.Count(); ++i)
     {
-      const std::uint32_t id = splitter.IdOf(i);
-      if (id >= this->Side.Set->GetPoints().size())
+      if (this->Side.CornerOf[corners[i].Point] == SkdSplitSegments::None)
       {
-        work.Points.push_back({ id, this->MakePoint(points[i], work.Triangle) });
+        thread.Points.push_back({ corners[i].Point, corners[i].Edges, work.Triangle });
       }
     }
+    work.Pieces.End = thread.Pieces.size();
+    work.Points.End = thread.Points.size();
+    work.Curves.End = thread.Curves.size();
+  }
+
+  /// The new points, as the first triangle that has each makes it. Returns their numbers.
+  std::vector<std::uint32_t> NumberPoints(
+    const std::vector<Work>& works, SkdSplitResult& result) const
+  {
+    std::vector<std::uint32_t> numbers(
+      this->Segments.GetPoints().GetNumberOfPoints(), SkdSplitSegments::None);
+    std::vector<NewPoint> all;
+    for (const Work& work : works)
+    {
+      for (std::size_t i = work.Points.Begin; i < work.Points.End; ++i)
+      {
+        const NewPoint& point = work.By->Points[i];
+        if (numbers[point.Point] == SkdSplitSegments::None)
+        {
+          numbers[point.Point] = static_cast<std::uint32_t>(all.size());
+          all.push_back(point);
+        }
+      }
+    }
+    result.Ids.reserve(all.size());
+    result.Points.resize(all.size());
+    std::vector<std::uint32_t> found;
+    found.reserve(all.size());
+    for (std::uint32_t point = 0; point < numbers.size(); ++point)
+    {
+      if (numbers[point] != SkdSplitSegments::None)
+      {
+        found.push_back(numbers[point]);
+        numbers[point] = static_cast<std::uint32_t>(result.Ids.size());
+        result.Ids.push_back(point);
+      }
+    }
+    SkdForEach(found.size(), [&](std::size_t i) { result.Points[i] = this->Make(all[found[i]]); });
+    return numbers;
+  }
+
+  SkdSplitPoint Make(const NewPoint& point) const
+  {
+    return this->MakePoint(
+      this->Segments.GetPoints().GetPosition(point.Point), point.Edges, point.Triangle);
   }
 
   /// A point on an edge is a mean of its ends, the same for all triangles that have the edge.
-  SkdSplitPoint MakePoint(const SkdSplitCorner& local, std::uint32_t triangle) const
+  SkdSplitPoint MakePoint(const skd::Vector3& x, unsigned edges, std::uint32_t triangle) const
   {
     const Corners& corners = this->Side.Set->GetCorners(triangle);
     const auto at = [&](int i) { return this->Side.Set->GetPoints()[corners[i]]; };
-    if (local.Edges == 0)
+    if (edges == 0)
     {
       const auto area = [&](int i)
       {
         const skd::Vector3 normal = Cross(at(1) - at(0), at(2) - at(0));
-        return Dot(normal, Cross(at((i + 1) % 3) - local.X, at((i + 2) % 3) - local.X));
+        return Dot(normal, Cross(at((i + 1) % 3) - x, at((i + 2) % 3) - x));
       };
       const double areas[3] = { area(0), area(1), area(2) };
       const double sum = areas[0] + areas[1] + areas[2];
-      return { local.X, corners, { areas[0] / sum, areas[1] / sum, areas[2] / sum }, triangle };
+      return { x, corners, { areas[0] / sum, areas[1] / sum, areas[2] / sum }, triangle };
     }
-    const int edge = local.Edges == 1u ? 0 : (local.Edges == 2u ? 1 : 2);
+    const int edge = edges == 1u ? 0 : (edges == 2u ? 1 : 2);
     int a = edge;
     int b = (edge + 1) % 3;
     if (corners[b] < corners[a])
@@ -190,56 +271,14 @@ private:
       std::swap(a, b);
     }
     const skd::Vector3 along = at(b) - at(a);
-    const double t = std::clamp(Dot(local.X - at(a), along) / Norm2(along), 0.0, 1.0);
-    return { local.X, { corners[a], corners[b], corners[b] }, { 1.0 - t, t, 0.0 }, triangle };
-  }
-
-  /// Numbers the new points on from the set's, also in pieces and curves.
-  void NumberPoints(std::vector<Work>& works, SkdSplitResult& result) const
-  {
-    std::vector<NewPoint> all;
-    for (const Work& work : works)
-    {
-      all.insert(all.end(), work.Points.begin(), work.Points.end());
-    }
-    std::stable_sort(
-      all.begin(), all.end(), [](const NewPoint& a, const NewPoint& b) { return a.Id < b.Id; });
-    all.erase(std::unique(all.begin(), all.end(),
-                [](const NewPoint& a, const NewPoint& b) { return a.Id == b.Id; }),
-      all.end());
-    const auto before = static_cast<std::uint32_t>(this->Side.Set->GetPoints().size());
-    for (const NewPoint& point : all)
-    {
-      result.Points.push_back(point.Point);
-      result.Ids.push_back(point.Id - before);
-    }
-    const auto renumber = [&](std::uint32_t& corner)
-    {
-      if (corner >= before)
-      {
-        const auto at = std::lower_bound(all.begin(), all.end(), corner,
-          [](const NewPoint& a, std::uint32_t id) { return a.Id < id; });
-        corner = before + static_cast<std::uint32_t>(at - all.begin());
-      }
-    };
-    for (Work& work : works)
-    {
-      for (Corners& piece : work.Pieces)
-      {
-        std::for_each(piece.begin(), piece.end(), renumber);
-      }
-      for (SkdSplitEdge& edge : work.Curves)
-      {
-        renumber(edge.first);
-        renumber(edge.second);
-        edge = SkdMakeSplitEdge(edge.first, edge.second);
-      }
-    }
+    const double t = std::clamp(Dot(x - at(a), along) / Norm2(along), 0.0, 1.0);
+    return { x, { corners[a], corners[b], corners[b] }, { 1.0 - t, t, 0.0 }, triangle };
   }
 
   const SkdSplitSegments& Segments;
   const SkdSplitSegments::Side& Side;
-  std::vector<bool> IsOnSplitEdge; // of corners
+  const SkdSplitEdges Edges;
+  vtkSMPThreadLocal<Thread> Threads;
 };
 }
 

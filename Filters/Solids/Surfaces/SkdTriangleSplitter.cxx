@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Surfaces/SkdTriangleSplitter.h"
 
-#include "Core/Geometry/Polygons/ConstrainedTriangulation.h"
 #include "Core/Geometry/Polygons/DelaunayEdge.h"
 
 #include <algorithm>
@@ -15,12 +14,12 @@ namespace
 constexpr std::uint32_t None = SkdSplitSegments::None;
 }
 
-SkdSplitCorners::SkdSplitCorners(
-  const SkdSplitPoints& points, const skd::ProjectedTriangle& triangle)
-  : Points(points)
-  , Axis(triangle.Axis)
-  , Sign(skd::Orient2D(triangle[0], triangle[1], triangle[2], triangle.Axis))
+void SkdSplitCorners::Begin(const skd::ProjectedTriangle& triangle)
 {
+  this->Axis = triangle.Axis;
+  this->Sign = skd::Orient2D(triangle[0], triangle[1], triangle[2], triangle.Axis);
+  this->ExactCorners = {};
+  this->All.clear();
   for (int i = 0; i < 3; ++i)
   {
     this->All.push_back({ triangle[i], None, skd::EdgesAt(static_cast<std::int8_t>(i)) });
@@ -89,17 +88,19 @@ const skd::ExactPoint& SkdSplitCorners::GetExact(int i)
 
 //------------------------------------------------------------------------------
 SkdTriangleSplitter::SkdTriangleSplitter(
-  const SkdSplitSegments& segments, const SkdSplitSegments::Side& side, std::uint32_t triangle)
+  const SkdSplitSegments& segments, const SkdSplitSegments::Side& side, const SkdSplitEdges& edges)
   : Segments(segments)
   , Side(side)
-  , TriangleCorners(side.Set->GetCorners(triangle))
-  , Corners(segments.GetPoints(), side.Set->Get(triangle))
+  , Edges(edges)
+  , Corners(segments.GetPoints())
 {
 }
 
-std::vector<SkdTriangleSet::Corners> SkdTriangleSplitter::Split(
-  const SkdSplitElement* first, const SkdSplitElement* last)
+void SkdTriangleSplitter::Split(std::uint32_t triangle, const SkdSplitElement* first,
+  const SkdSplitElement* last, std::vector<SkdTriangleSet::Corners>& pieces)
 {
+  this->TriangleCorners = this->Side.Set->GetCorners(triangle);
+  this->Corners.Begin(this->Side.Set->Get(triangle));
   this->CollectCorners(first, last);
   this->CollectEdges();
   const int onBorder = this->Corners.Count();
@@ -108,27 +109,27 @@ std::vector<SkdTriangleSet::Corners> SkdTriangleSplitter::Split(
   const auto isBetter = [this](int a, int b, int c, int d)
   { return this->Corners.IsBetter(a, b, c, d); };
   skd::ConstrainedTriangulation<decltype(orient), decltype(isBetter)> made(
-    this->Corners.Count(), orient, isBetter);
+    this->Corners.Count(), orient, isBetter, std::move(this->Memory));
   for (const std::array<int, 3>& added : this->Border)
   {
     made.AddOnBorder(added[0], added[1], added[2]);
   }
-  std::vector<int> slots(static_cast<std::size_t>(this->Corners.Count()));
-  std::iota(slots.begin(), slots.end(), 0);
+  this->Slots.resize(static_cast<std::size_t>(this->Corners.Count()));
+  std::iota(this->Slots.begin(), this->Slots.end(), 0);
   for (int i = onBorder; i < this->Corners.Count(); ++i)
   {
-    slots[i] = made.Add(i);
+    this->Slots[i] = made.Add(i);
   }
   for (const std::pair<int, int>& edge : this->Inner)
   {
-    made.Constrain(slots[edge.first], slots[edge.second]);
+    made.Constrain(this->Slots[edge.first], this->Slots[edge.second]);
   }
-  std::vector<SkdTriangleSet::Corners> pieces;
-  for (const std::array<int, 3>& piece : made.GetTriangles())
+  for (const skd::FlipMesh::Triangle& piece : made.GetTriangles())
   {
-    pieces.push_back({ this->IdOf(piece[0]), this->IdOf(piece[1]), this->IdOf(piece[2]) });
+    const std::array<int, 3>& corners = piece.Corners;
+    pieces.push_back({ this->IdOf(corners[0]), this->IdOf(corners[1]), this->IdOf(corners[2]) });
   }
-  return pieces;
+  this->Memory = made.TakeMemory();
 }
 
 std::uint32_t SkdTriangleSplitter::IdOf(int i) const
@@ -146,6 +147,7 @@ std::uint32_t SkdTriangleSplitter::IdOf(int i) const
 
 void SkdTriangleSplitter::CollectCorners(const SkdSplitElement* first, const SkdSplitElement* last)
 {
+  this->Known.Clear();
   for (; first != last; ++first)
   {
     const SkdSplitSegment& segment = this->Segments.GetSegment(first->Segment);
@@ -154,7 +156,7 @@ void SkdTriangleSplitter::CollectCorners(const SkdSplitElement* first, const Skd
     {
       if (skd::IsCorner(part))
       {
-        this->Known[this->Find(point)] = part;
+        this->Known.Add(this->Find(point), part);
       }
     }
   }
@@ -162,22 +164,20 @@ void SkdTriangleSplitter::CollectCorners(const SkdSplitElement* first, const Skd
 
 void SkdTriangleSplitter::CollectEdges()
 {
+  this->Border.clear();
   for (int edge = 0; edge < 3; ++edge)
   {
     const int next = edge == 2 ? 0 : edge + 1;
     const std::uint32_t from = this->TriangleCorners[edge];
     const std::uint32_t to = this->TriangleCorners[next];
-    const auto [first, last] = std::equal_range(this->Side.EdgePoints.begin(),
-      this->Side.EdgePoints.end(), SkdSplitEdgePoint{ std::min(from, to), std::max(from, to), 0 },
-      [](const SkdSplitEdgePoint& a, const SkdSplitEdgePoint& b)
-      { return a.From != b.From ? a.From < b.From : a.To < b.To; });
+    const auto [first, last] = this->Edges.Find(from, to);
     int before = edge;
     const auto count = last - first;
     for (std::ptrdiff_t i = 0; i < count; ++i)
     {
       const std::uint32_t point = this->Find((from < to ? first[i] : first[count - 1 - i]).Point);
       const int local = this->Corners.Add(point, 1u << edge);
-      this->Known[point] = local;
+      this->Known.Add(point, local);
       this->Border.push_back({ local, before, next });
       before = local;
     }
@@ -186,27 +186,30 @@ void SkdTriangleSplitter::CollectEdges()
 
 void SkdTriangleSplitter::CollectInside(const SkdSplitElement* first, const SkdSplitElement* last)
 {
+  this->Inner.clear();
+  this->Curves.clear();
   for (; first != last; ++first)
   {
     const bool isOnEdge = first->GetEdges() != 0;
     const bool isCurve = this->Segments.GetSegment(first->Segment).IsCurve;
     int before = -1;
-    for (const std::uint32_t point : this->Segments.GetChain(first->Segment))
+    this->Segments.GetChain(first->Segment, this->Chain);
+    for (const std::uint32_t point : this->Chain)
     {
-      const auto [known, isNew] = this->Known.emplace(point, this->Corners.Count());
-      if (isNew)
+      const int known = this->Known.Add(point, this->Corners.Count());
+      if (known == this->Corners.Count())
       {
         this->Corners.Add(point, 0);
       }
       if (before >= 0 && !isOnEdge)
       {
-        this->Inner.emplace_back(before, known->second);
+        this->Inner.emplace_back(before, known);
       }
       if (before >= 0 && isCurve)
       {
-        this->Curves.push_back(SkdMakeSplitEdge(this->IdOf(before), this->IdOf(known->second)));
+        this->Curves.push_back(SkdMakeSplitEdge(this->IdOf(before), this->IdOf(known)));
       }
-      before = known->second;
+      before = known;
     }
   }
 }

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdTriangleSplitter.h
- * @brief One triangle of a set, split along its segments.
+ * @brief Triangles of a set, each split along its segments.
  */
 
 #ifndef SkdTriangleSplitter_h
 #define SkdTriangleSplitter_h
 
+#include "Core/Geometry/Polygons/ConstrainedTriangulation.h"
+#include "Solids/Surfaces/SkdSplitEdges.h"
 #include "Solids/Surfaces/SkdSplitRegions.h"
-#include "Solids/Surfaces/SkdSplitSegments.h"
 
 #include <map>
 #include <optional>
@@ -28,9 +29,15 @@ struct SkdSplitCorner
 class SkdSplitCorners
 {
 public:
-  SkdSplitCorners(const SkdSplitPoints& points, const skd::ProjectedTriangle& triangle);
+  explicit SkdSplitCorners(const SkdSplitPoints& points)
+    : Points(points)
+  {
+  }
 
-  /// Adds a point. Returns its number here; 0, 1 and 2 are the triangle's corners.
+  /// Begins with the corners of a triangle, 0, 1 and 2.
+  void Begin(const skd::ProjectedTriangle& triangle);
+
+  /// Adds a point. Returns its number here.
   int Add(std::uint32_t point, unsigned edges);
 
   int Count() const { return static_cast<int>(this->All.size()); }
@@ -46,22 +53,62 @@ private:
   const skd::ExactPoint& GetExact(int i);
 
   const SkdSplitPoints& Points;
-  const int Axis;
-  const int Sign;
+  int Axis = 0;
+  int Sign = 0;
   std::vector<SkdSplitCorner> All;
   std::array<std::optional<skd::ExactPoint>, 3> ExactCorners; // made at the first use
 };
 
+/// The corners that points are: a list as long as there are few.
+class SkdCornersOfPoints
+{
+public:
+  void Clear()
+  {
+    this->Few.clear();
+    this->Many.clear();
+  }
+
+  /// The corner that a point is; this one if it is not known yet.
+  int Add(std::uint32_t point, int corner)
+  {
+    if (!this->Many.empty())
+    {
+      return this->Many.emplace(point, corner).first->second;
+    }
+    for (const auto& known : this->Few)
+    {
+      if (known.first == point)
+      {
+        return known.second;
+      }
+    }
+    this->Few.emplace_back(point, corner);
+    if (this->Few.size() > Most)
+    {
+      this->Many.insert(this->Few.begin(), this->Few.end());
+    }
+    return corner;
+  }
+
+private:
+  static constexpr std::size_t Most = 24;
+
+  std::vector<std::pair<std::uint32_t, int>> Few;
+  std::map<std::uint32_t, int> Many; // all, if there are more than few
+};
+
+/// Splits one triangle after the other, in the same memory.
 class SkdTriangleSplitter
 {
 public:
-  SkdTriangleSplitter(
-    const SkdSplitSegments& segments, const SkdSplitSegments::Side& side, std::uint32_t triangle);
+  SkdTriangleSplitter(const SkdSplitSegments& segments, const SkdSplitSegments::Side& side,
+    const SkdSplitEdges& edges);
 
-  /// The pieces, for the elements of this triangle. Corners are those of the set, or points counted
-  /// on from these.
-  std::vector<SkdTriangleSet::Corners> Split(
-    const SkdSplitElement* first, const SkdSplitElement* last);
+  /// Adds the pieces, for the elements of this triangle. Corners are those of the set, or points
+  /// counted on from these.
+  void Split(std::uint32_t triangle, const SkdSplitElement* first, const SkdSplitElement* last,
+    std::vector<SkdTriangleSet::Corners>& pieces);
 
   ///@{
   /// After Split(): the corners of pieces, their numbers as above, and the edges along curves.
@@ -78,12 +125,16 @@ private:
 
   const SkdSplitSegments& Segments;
   const SkdSplitSegments::Side& Side;
-  const SkdTriangleSet::Corners TriangleCorners;
+  const SkdSplitEdges& Edges;
+  SkdTriangleSet::Corners TriangleCorners{};
   SkdSplitCorners Corners;
-  std::map<std::uint32_t, int> Known;     // the corner that a point is
+  SkdCornersOfPoints Known;
   std::vector<std::array<int, 3>> Border; // a point, and the neighbours between which it comes
   std::vector<std::pair<int, int>> Inner; // edges that must be
   std::vector<SkdSplitEdge> Curves;
+  std::vector<std::uint32_t> Chain;
+  std::vector<int> Slots;
+  skd::TriangulationMemory Memory;
 };
 }
 

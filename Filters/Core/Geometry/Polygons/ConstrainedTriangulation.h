@@ -7,12 +7,18 @@
 
 #include <array>
 #include <cstddef>
-#include <deque>
 #include <utility>
 #include <vector>
 
 namespace skd
 {
+
+/// What a constrained triangulation is made in, for one after the other.
+struct TriangulationMemory
+{
+  FlipMesh Mesh;
+  std::vector<FlipMesh::Side> Open;
+};
 
 /// A triangle cut into triangles that have given points as corners and given segments as edges.
 ///
@@ -30,26 +36,24 @@ template <class Orient, class IsBetter>
 class ConstrainedTriangulation
 {
 public:
-  using Corners = std::array<int, 3>;
-
-  ConstrainedTriangulation(int numberOfPoints, Orient orient, IsBetter isBetter)
+  ConstrainedTriangulation(
+    int numberOfPoints, Orient orient, IsBetter isBetter, TriangulationMemory memory = {})
     : Orientation(std::move(orient))
     , Better(std::move(isBetter))
-    , Mesh(numberOfPoints)
+    , Mesh(std::move(memory.Mesh))
+    , Open(std::move(memory.Open))
   {
+    this->Mesh.Begin(numberOfPoints);
   }
 
+  /// For the next one. Only the triangulation's destructor may be called then.
+  TriangulationMemory TakeMemory() { return { std::move(this->Mesh), std::move(this->Open) }; }
+
   /// The triangles: all turn left.
-  std::vector<Corners> GetTriangles() const
-  {
-    std::vector<Corners> all;
-    all.reserve(this->Mesh.GetAll().size());
-    for (const FlipMesh::Triangle& triangle : this->Mesh.GetAll())
-    {
-      all.push_back(triangle.Corners);
-    }
-    return all;
-  }
+  const std::vector<FlipMesh::Triangle>& GetTriangles() const { return this->Mesh.GetAll(); }
+
+  /// The triangles, and what is beside each.
+  const FlipMesh& GetMesh() const { return this->Mesh; }
 
   /// Adds a point on the border, between the neighbouring points `from` and `to`.
   void AddOnBorder(int point, int from, int to)
@@ -148,14 +152,20 @@ private:
       this->Orientation(across, this->Mesh.To(side), apex) > 0;
   }
 
-  /// Flips sides, and those around them, as long as that makes them better.
-  void Improve(std::vector<Side> sides)
+  void Improve(const FlipMesh::Outer& outer)
+  {
+    this->Open.assign(outer.begin(), outer.end());
+    this->ImproveOpen();
+  }
+
+  /// Flips open sides, and those around them, as long as that makes them better.
+  void ImproveOpen()
   {
     std::size_t left = 64 + 16 * this->Mesh.GetAll().size(); // should rounding go in circles
-    while (!sides.empty() && left > 0)
+    while (!this->Open.empty() && left > 0)
     {
-      const Side side = sides.back();
-      sides.pop_back();
+      const Side side = this->Open.back();
+      this->Open.pop_back();
       const Side other = this->Mesh.Across(side);
       if (other.At < 0 || this->Mesh.GetAll()[side.At].IsFixed[side.Index] ||
         !this->Better(this->Mesh.From(side), this->Mesh.To(side), this->Mesh.Apex(side),
@@ -168,8 +178,8 @@ private:
       --left;
       for (const int at : { side.At, other.At })
       {
-        sides.push_back({ at, 0 });
-        sides.push_back({ at, 2 });
+        this->Open.push_back({ at, 0 });
+        this->Open.push_back({ at, 2 });
       }
     }
   }
@@ -219,8 +229,8 @@ private:
     int ending = start.Ending;
     if (ending < 0)
     {
-      std::deque<Edge> crossed = this->FindCrossed(start.First, a, b, ending);
-      this->Uncross(crossed, a, ending);
+      std::vector<Edge> crossed = this->FindCrossed(start.First, a, b, ending); // sets the ending
+      this->Uncross(std::move(crossed), a, ending);
     }
     this->Mesh.Fix(this->Mesh.FindEitherSide(a, ending));
     return ending;
@@ -229,9 +239,9 @@ private:
   using Edge = std::pair<int, int>; // from the right of a segment to the left
 
   /// The edges that the segment crosses from its first side up to the first point on it.
-  std::deque<Edge> FindCrossed(Side side, int a, int b, int& ending) const
+  std::vector<Edge> FindCrossed(Side side, int a, int b, int& ending) const
   {
-    std::deque<Edge> crossed;
+    std::vector<Edge> crossed;
     while (ending < 0)
     {
       crossed.emplace_back(this->Mesh.From(side), this->Mesh.To(side));
@@ -246,15 +256,21 @@ private:
   }
 
   /// Flips edges until none crosses the segment.
-  void Uncross(std::deque<Edge>& crossed, int a, int b)
+  void Uncross(std::vector<Edge> crossed, int a, int b)
   {
+    constexpr std::size_t few = 64;
     std::vector<Edge> made;
     const auto orientation = [&](int point)
     { return point == a || point == b ? 0 : this->Orientation(a, b, point); };
-    while (!crossed.empty())
+    std::size_t done = 0; // of those that are listed
+    while (done < crossed.size())
     {
-      const Edge edge = crossed.front();
-      crossed.pop_front();
+      const Edge edge = crossed[done++];
+      if (done >= few && 2 * done > crossed.size())
+      {
+        crossed.erase(crossed.begin(), crossed.begin() + static_cast<std::ptrdiff_t>(done));
+        done = 0;
+      }
       const Side side = this->Mesh.FindSide(edge.first, edge.second);
       const Side other = this->Mesh.Across(side);
       if (!this->IsConvex(side, other))
@@ -271,17 +287,18 @@ private:
                   : made.emplace_back(p, q));
     }
     this->Mesh.Fix(this->Mesh.FindEitherSide(a, b));
-    std::vector<Side> sides;
+    this->Open.clear();
     for (const Edge& edge : made)
     {
-      sides.push_back(this->Mesh.FindEitherSide(edge.first, edge.second));
+      this->Open.push_back(this->Mesh.FindEitherSide(edge.first, edge.second));
     }
-    this->Improve(std::move(sides));
+    this->ImproveOpen();
   }
 
   Orient Orientation;
   IsBetter Better;
   FlipMesh Mesh;
+  std::vector<Side> Open; // sides that may become better
   int Last = 0;
 };
 

@@ -28,9 +28,25 @@ public:
     int Index;
   };
 
-  explicit FlipMesh(int numberOfPoints)
-    : TriangleAt(static_cast<std::size_t>(numberOfPoints), -1)
+  /// The sides around a point that was put in, two to four.
+  struct Outer
   {
+    std::array<Side, 4> Sides;
+    int Count;
+
+    const Side* begin() const { return this->Sides.data(); }
+    const Side* end() const { return this->Sides.data() + this->Count; }
+  };
+
+  FlipMesh() = default;
+
+  /// Begins again, in the memory that there is.
+  void Begin(int numberOfPoints)
+  {
+    const auto n = static_cast<std::size_t>(numberOfPoints);
+    this->TriangleAt.assign(n, -1);
+    this->Triangles.clear();
+    this->Triangles.reserve(2 * n);
     this->Triangles.push_back({ { 0, 1, 2 }, { -1, -1, -1 }, { false, false, false } });
     this->Own(0);
   }
@@ -114,7 +130,7 @@ public:
   }
 
   /// Puts a point into a triangle. Returns the sides around.
-  std::vector<Side> SplitInside(int point, int at)
+  Outer SplitInside(int point, int at)
   {
     const Triangle old = this->Triangles[at];
     const int n = static_cast<int>(this->Triangles.size());
@@ -131,16 +147,16 @@ public:
       this->LinkBack({ part, 0 });
       this->Own(part);
     }
-    return { { at, 0 }, { n, 0 }, { n + 1, 0 } };
+    return { { { { at, 0 }, { n, 0 }, { n + 1, 0 } } }, 3 };
   }
 
   /// Puts a point on a side: cuts its triangles in two each. Returns the sides around.
-  std::vector<Side> SplitSide(int point, const Side& side)
+  Outer SplitSide(int point, const Side& side)
   {
     const Side other = this->Across(side);
     const int n = static_cast<int>(this->Triangles.size());
     const int second = n + 1;
-    std::vector<Side> outer;
+    Outer outer{ {}, 0 };
     this->HalveSide(point, side, n, outer);
     if (other.At >= 0)
     {
@@ -207,7 +223,7 @@ private:
   }
 
   /// The halves as point, apex, end: side 1 or 2 lies on the side that is cut.
-  void HalveSide(int point, const Side& side, int added, std::vector<Side>& outer)
+  void HalveSide(int point, const Side& side, int added, Outer& outer)
   {
     const Triangle old = this->Triangles[side.At];
     const int i = side.Index;
@@ -221,7 +237,7 @@ private:
     {
       this->LinkBack({ part, 0 });
       this->Own(part);
-      outer.push_back({ part, 0 });
+      outer.Sides[static_cast<std::size_t>(outer.Count++)] = { part, 0 };
     }
   }
 
