@@ -346,7 +346,7 @@ private:
   const SkdFacets& Facets;
   const bool IsImprint;
   const SkdBooleanFaces Faces;
-  std::vector<std::uint32_t> Numbers; // of the arrangement's points in the output
+  std::vector<std::uint32_t> Numbers;   // of the arrangement's points in the output
   skd::RawVector<std::uint32_t> Points; // of the output, in the arrangement
   vtkPolyData* To;
 };

@@ -82,6 +82,19 @@ bool IsShift(const skd::RigidMotion& motion)
     motion.Rows[1] == skd::Vector3{ { 0, 1, 0 } } && motion.Rows[2] == skd::Vector3{ { 0, 0, 1 } };
 }
 
+/// Pairs that are given as one number each, which is compared at once.
+SkdIndexPairs ListAscending(std::vector<std::uint64_t> numbers)
+{
+  std::sort(numbers.begin(), numbers.end());
+  SkdIndexPairs pairs;
+  pairs.reserve(numbers.size());
+  for (const std::uint64_t pair : numbers)
+  {
+    pairs.emplace_back(static_cast<std::uint32_t>(pair >> 32), static_cast<std::uint32_t>(pair));
+  }
+  return pairs;
+}
+
 int NumberOf(const SkdRegionWindings& windings, std::uint32_t surface)
 {
   const auto at = std::find_if(windings.begin(), windings.end(),
@@ -381,8 +394,7 @@ bool SkdRigidPair::Move(const skd::RigidMotion& motion)
 SkdRigidPair::Near SkdRigidPair::FindNear() const
 {
   Near near;
-  const double extent = this->Set.GetLargestCoordinate() + Norm(this->Motion.Shift);
-  const double margin = Nearness * extent;
+  const double margin = Nearness * (this->Set.GetLargestCoordinate() + Norm(this->Motion.Shift));
   const auto& points = this->Set.GetPoints();
   const auto boxOf = [&](std::uint32_t triangle)
   {
@@ -394,6 +406,7 @@ SkdRigidPair::Near SkdRigidPair::FindNear() const
     return box;
   };
   std::vector<bool> isNear(this->Set.GetTriangles().size(), false);
+  std::vector<std::uint64_t> pairs;
   const auto add = [&](std::uint32_t triangle)
   {
     if (!isNear[triangle])
@@ -413,7 +426,7 @@ SkdRigidPair::Near SkdRigidPair::FindNear() const
       add(b);
       if (first.Overlaps(second))
       {
-        near.Pairs.emplace_back(a, b);
+        pairs.push_back(static_cast<std::uint64_t>(a) << 32 | b);
       }
     }
     return true;
@@ -435,7 +448,7 @@ SkdRigidPair::Near SkdRigidPair::FindNear() const
     search(this->Both->Second, MovedBox{ this->Motion, 2.0 * margin });
   }
   std::sort(near.Triangles.begin(), near.Triangles.end());
-  std::sort(near.Pairs.begin(), near.Pairs.end());
+  near.Pairs = ListAscending(std::move(pairs));
   return near;
 }
 }
