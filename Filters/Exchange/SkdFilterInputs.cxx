@@ -3,6 +3,7 @@
 #include "Exchange/SkdFilterInputs.h"
 
 #include "Exchange/SkdSharedMessages.h"
+#include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPartialArrays.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdProcesses.h"
@@ -81,6 +82,17 @@ void Empty(vtkInformationVector* outputs)
     }
   }
 }
+
+/// An abort on one process ends the request on all, whose outputs are then not up to date, for it
+/// is executed again by all or by none. Who aborted it also takes that back, where it was aborted.
+void Abort(vtkAlgorithm* filter, vtkInformationVector* outputs)
+{
+  const vtkTypeBool isAborted = filter->GetAbortExecute();
+  filter->SetAbortExecute(1);
+  SkdIsAborted(filter);
+  filter->SetAbortExecute(isAborted);
+  Empty(outputs);
+}
 }
 
 int SkdFilterInputs::Process(vtkInformation* request, vtkInformationVector** inputs,
@@ -126,7 +138,12 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
     isCounted || !this->Whole.empty() || !this->Nearby.empty() || !this->Spread.empty();
   const SkdSharedMessages::Outcome outcome =
     isTogether ? messages.SayOnce() : SkdSharedMessages::Outcome();
-  if (outcome.IsErrorAnywhere && (!outcome.IsErrorHere || result == 0))
+  if (outcome.IsAbortedAnywhere)
+  {
+    Abort(this->Filter, outputs);
+    result = 1;
+  }
+  else if (outcome.IsErrorAnywhere && (!outcome.IsErrorHere || result == 0))
   {
     Empty(outputs);
     result = 1; // or each executive has a message of its own

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdSharedMessages.h"
 
+#include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdProcesses.h"
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
@@ -239,6 +240,10 @@ SkdSharedMessages::Outcome SkdSharedMessages::SayOnce()
   this->StopKeeping();
   outcome.IsErrorHere = std::any_of(this->Waiting.begin(), this->Waiting.end(),
     [](const Message& message) { return message.IsError; });
+  const int isAborted = SkdIsAborted(this->Filter) ? 1 : 0;
+  int isAnyAborted = 0;
+  this->Controller->AllReduce(&isAborted, &isAnyAborted, 1, vtkCommunicator::MAX_OP);
+  outcome.IsAbortedAnywhere = isAnyAborted != 0;
   const std::vector<Speaker> speakers = FindSpeakers(this->Gather());
   this->Waiting.clear();
   const auto own = static_cast<std::size_t>(this->Controller->GetLocalProcessId());

@@ -38,6 +38,7 @@ public:
   {
     bool IsErrorAnywhere = false;
     bool IsErrorHere = false;
+    bool IsAbortedAnywhere = false;
   };
 
   /// All processes must call it together: each message is said by the first process that has it.
