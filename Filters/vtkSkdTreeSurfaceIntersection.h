@@ -138,7 +138,8 @@ public:
   //@{
   /**
    * Output curves as polylines, with the ids of each segment at its first point. Off: a line cell
-   * for each segment, with the ids as cell data and no SkdCurve arrays. Default on.
+   * for each segment, with the ids as cell data and no SkdCurve arrays. Each of several processes
+   * joins the curves of its own piece of the input. Default on.
    */
   vtkSkdTreeSwitchMacro(JoinCurves);
   //@}
