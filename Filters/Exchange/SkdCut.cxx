@@ -41,6 +41,7 @@ int LevelsOf(int processes)
   }
   return levels;
 }
+
 /// Whether all points are such as a SkdCellStore may have.
 bool AreComparable(vtkDataSet* mesh)
 {
@@ -59,9 +60,7 @@ bool AreComparable(vtkDataSet* mesh)
 /// not.
 bool ReadBoxes(vtkDataSet* mesh, std::vector<skd::Box3>& boxes)
 {
-  auto* set = vtkPointSet::SafeDownCast(mesh);
-  const skd::PointArray points =
-    set && set->GetPoints() ? SkdStoredPoints(set->GetPoints()->GetData()) : skd::PointArray();
+  const skd::PointArray points = SkdStoredPointsOf(mesh);
   if (!(points.Floats || points.Doubles) || mesh->GetCellGhostArray() ||
     mesh->GetPointGhostArray() || !AreComparable(mesh))
   {

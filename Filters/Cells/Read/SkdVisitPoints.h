@@ -13,14 +13,19 @@
 
 namespace skdtree
 {
+/// The points of a mesh that are stored as floats or doubles, else none.
+inline skd::PointArray SkdStoredPointsOf(vtkDataSet* mesh)
+{
+  auto* set = vtkPointSet::SafeDownCast(mesh);
+  return set && set->GetPoints() ? SkdStoredPoints(set->GetPoints()->GetData()) : skd::PointArray();
+}
+
 /// Calls visit(id, x) for each point of a mesh, ascending. Those that are stored as floats or
 /// doubles are read where they are: a call of VTK for each costs more than most visits.
 template <class Visit>
 void SkdVisitPoints(vtkDataSet* mesh, const Visit& visit)
 {
-  auto* set = vtkPointSet::SafeDownCast(mesh);
-  const skd::PointArray stored =
-    set && set->GetPoints() ? SkdStoredPoints(set->GetPoints()->GetData()) : skd::PointArray();
+  const skd::PointArray stored = SkdStoredPointsOf(mesh);
   const bool isStored = stored.Floats || stored.Doubles;
   const vtkIdType number = mesh->GetNumberOfPoints();
   for (vtkIdType id = 0; id < number; ++id)
