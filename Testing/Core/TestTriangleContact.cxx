@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Geometry/Intersection/ContactPosition.h"
+#include "Core/Geometry/Intersection/NeighbourTriangles.h"
 #include "Core/Geometry/Intersection/TriangleContact.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -287,6 +289,39 @@ TEST(TriangleContact, WhatNeighboursSurelyHaveInCommonIsAllThatTheyHave)
       skd::HaveOnlyCornersInCommon({ &x[0], &x[1], &x[2] }, 3u, { &x[3], &x[1], &x[0] }, 6u));
     EXPECT_FALSE(
       skd::HaveOnlyCornersInCommon({ &x[0], &x[1], &x[2] }, 3u, { &x[2], &x[1], &x[0] }, 6u));
+  }
+}
+
+// Triangles of a fan in one plane, tilted or not, are surely apart but for its centre, unless they
+// overlap.
+TEST(TriangleContact, TrianglesOfAFanSurelyHaveTheirCentreInCommonOnly)
+{
+  constexpr int count = 9;
+  for (const Vector3& normal : { Vector3{ { 0, 0, 1 } }, { { 1, 2, -3 } }, { { -5, 0.1, 0 } } })
+  {
+    const Vector3 u = Cross(normal, { { 0.3, 0.7, 0.2 } });
+    const Vector3 v = Cross(normal, u);
+    const Vector3 centre{ { 0.1, -7.0, 1e3 } };
+    std::vector<Vector3> rim;
+    for (int i = 0; i < count; ++i)
+    {
+      const double angle = 6.283185307179586 * i / count;
+      rim.push_back(centre + std::cos(angle) * u + (std::sin(angle) / Norm(normal)) * v);
+    }
+    const auto areSure = [&](int i, int sizeOfFirst, int k, int sizeOfSecond)
+    {
+      return skd::HaveOnlyCornersInCommon({ &centre, &rim[i], &rim[(i + sizeOfFirst) % count] }, 1u,
+        { &rim[k], &rim[(k + sizeOfSecond) % count], &centre }, 4u);
+    };
+    for (int between = 2; between + 1 < count; ++between)
+    {
+      EXPECT_TRUE(areSure(between, 1, 0, 1)) << between;
+    }
+    if (normal[2] == 1.0) // others are not in one plane to the last bit
+    {
+      EXPECT_FALSE(areSure(0, 4, 1, 2)); // inside
+      EXPECT_FALSE(areSure(0, 3, 2, 2)); // crosses
+    }
   }
 }
 

@@ -172,6 +172,13 @@ inline Vector3 Cross(const Vector3& a, const Vector3& b)
   return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
 }
 
+/// The axis of the largest component by its amount, the first of equal ones.
+inline int LargestAxis(const Vector3& a)
+{
+  const int axis = std::abs(a[1]) > std::abs(a[0]) ? 1 : 0;
+  return std::abs(a[2]) > std::abs(a[axis]) ? 2 : axis;
+}
+
 /// False when a coordinate is NaN or infinite.
 template <int D>
 bool IsFinite(const Vector<D>& a)

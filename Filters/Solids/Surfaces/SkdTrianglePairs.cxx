@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdForEach.h"
 #include "Core/Geometry/Distance/ClosestTriangles.h"
+#include "Core/Geometry/Intersection/NeighbourTriangles.h"
 #include "Core/Geometry/Intersection/TriangleContact.h"
 #include "Core/Search/Queries/OverlapParts.h"
 #include "Core/Search/Tree/LazyTree.h"

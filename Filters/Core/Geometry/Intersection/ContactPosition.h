@@ -31,12 +31,7 @@ inline Vector3 CrossingWithPlane(
 /// Where an edge crosses another in a point that is inside of both, exactly.
 inline Vector3 CrossingWithEdge(const Segment<3>& edge, const Segment<3>& other)
 {
-  const Vector3 normal = Cross(edge.B - edge.A, other.B - other.A);
-  int first = 0;
-  for (int axis = 1; axis < 3; ++axis)
-  {
-    first = std::abs(normal[axis]) > std::abs(normal[first]) ? axis : first;
-  }
+  const int first = LargestAxis(Cross(edge.B - edge.A, other.B - other.A));
   for (const int axis : { first, (first + 1) % 3, (first + 2) % 3 })
   {
     const double start = AreaOf(other.A, other.B, edge.A, axis);

@@ -33,12 +33,7 @@ struct ProjectedTriangle
   /// any, exactly.
   static int FindAxis(const std::array<Vector3, 3>& corners)
   {
-    const Vector3 normal = Cross(corners[1] - corners[0], corners[2] - corners[0]);
-    int first = 0;
-    for (int axis = 1; axis < 3; ++axis)
-    {
-      first = std::abs(normal[axis]) > std::abs(normal[first]) ? axis : first;
-    }
+    const int first = LargestAxis(Cross(corners[1] - corners[0], corners[2] - corners[0]));
     for (const int axis : { first, (first + 1) % 3, (first + 2) % 3 })
     {
       if (Orient2D(corners[0], corners[1], corners[2], axis) != 0)

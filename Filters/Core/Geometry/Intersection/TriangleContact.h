@@ -3,6 +3,7 @@
 #ifndef skd_Geometry_Intersection_TriangleContact_h
 #define skd_Geometry_Intersection_TriangleContact_h
 
+#include "NeighbourTriangles.h"
 #include "ProjectedTriangle.h"
 #include "TriangleFeature.h"
 
@@ -65,6 +66,20 @@ inline bool AreOnOneSide(const Sides& sides)
   return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
 }
 
+inline bool HasZero(const Sides& sides)
+{
+  return sides[0] == 0 || sides[1] == 0 || sides[2] == 0;
+}
+
+/// Whether two triangles surely have nothing in common, seen from above the first one: found in a
+/// fraction of the time of exact signs, and so of most that planar faces side by side have.
+inline bool AreApartFromAbove(const TriangleInPlane& first, const std::array<Vector3, 3>& second)
+{
+  const std::array<Vector3, 3>& a = first.Corners;
+  return AreApartAlong(first.Plane.DominantAxis(), { &a[0], &a[1], &a[2] }, 0u,
+    { &second[0], &second[1], &second[2] }, 0u);
+}
+
 /// Finds what two triangles have in common. Of sides of a plane all that is needed are signs, and
 /// these are exact, so what is found fits together: between the two ways of looking at a pair, and
 /// between all pairs that meet at an edge or a corner.
@@ -121,11 +136,6 @@ private:
   {
     return (sides[0] > 0 || sides[1] > 0 || sides[2] > 0) &&
       (sides[0] < 0 || sides[1] < 0 || sides[2] < 0);
-  }
-
-  static bool HasZero(const Sides& sides)
-  {
-    return sides[0] == 0 || sides[1] == 0 || sides[2] == 0;
   }
 
   /// Determines exactly, where that is still open, on which sides of the plane of `of` corners lie.
@@ -329,90 +339,6 @@ private:
 
 }
 
-/// Three corners, where they are stored. Masks of corners have a bit for each.
-using CornerPointers = std::array<const Vector3*, 3>;
-
-namespace detail
-{
-
-struct CornerPair
-{
-  std::uint8_t First;
-  std::uint8_t Second;
-};
-
-/// Of each mask of corners two that are not in it, the same twice if there is only one.
-inline constexpr CornerPair CornersOutside[8] = { { 0, 1 }, { 1, 2 }, { 0, 2 }, { 2, 2 }, { 0, 1 },
-  { 1, 1 }, { 0, 0 }, { 0, 0 } };
-
-/// Whether a mask has two corners.
-inline constexpr bool IsEdgeMask[8] = { false, false, false, true, false, true, true, false };
-
-}
-
-/// Whether the corners of a triangle but those shared (in the mask) with a plane's triangle are
-/// surely on one side of the plane: if so, the triangles surely have nothing but these in common.
-inline bool AreOthersOnOneSide(
-  const FloatingPlane& plane, const CornerPointers& corners, unsigned shared)
-{
-  const detail::CornerPair others = detail::CornersOutside[shared];
-  constexpr unsigned all = 7;
-  const int side = plane.SureSideOfBoth(*corners[others.First], *corners[others.Second]);
-  return side != 0 && shared != all && (shared != 0 || plane.SureSideOf(*corners[2]) == side);
-}
-
-namespace detail
-{
-
-/// The sign of an area seen along an axis, as Orient2D; 0 also where rounding could matter.
-inline int SureOrient2D(const Vector3& a, const Vector3& b, const Vector3& c, int axis)
-{
-  const int u = (axis + 1) % 3;
-  const int v = (axis + 2) % 3;
-  const double left = (b[u] - a[u]) * (c[v] - a[v]);
-  const double right = (b[v] - a[v]) * (c[u] - a[u]);
-  const double rounding = Orient2DBound * (std::abs(left) + std::abs(right));
-  return (left - right > rounding) - (left - right < -rounding);
-}
-
-/// Whether a plane through the common edge of two triangles, parallel to an axis, surely has the
-/// one before it and the other behind it: also if they lie in one plane.
-inline bool AreApartAtEdge(const CornerPointers& first, unsigned sharedOfFirst,
-  const CornerPointers& second, unsigned sharedOfSecond)
-{
-  if (!IsEdgeMask[sharedOfFirst] || !IsEdgeMask[sharedOfSecond])
-  {
-    return false;
-  }
-  const std::size_t apex = CornersOutside[sharedOfFirst].First;
-  const std::size_t other = CornersOutside[sharedOfSecond].First;
-  const Vector3& from = *first[apex == 2 ? 0 : apex + 1];
-  const Vector3& to = *first[apex == 0 ? 2 : apex - 1];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (SureOrient2D(from, to, *first[apex], axis) * SureOrient2D(from, to, *second[other], axis) <
-      0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-}
-
-/// Whether two triangles that share one or two corners (those in the masks) surely have nothing
-/// else in common, since they are on either side of their common edge, or the other corners of one
-/// are on one side of the other's plane: true of most pairs of neighbours in a surface, and
-/// found in a fraction of the time that FindContact() takes.
-inline bool HaveOnlyCornersInCommon(const CornerPointers& first, unsigned sharedOfFirst,
-  const CornerPointers& second, unsigned sharedOfSecond)
-{
-  return detail::AreApartAtEdge(first, sharedOfFirst, second, sharedOfSecond) ||
-    AreOthersOnOneSide({ *first[0], *first[1], *first[2] }, second, sharedOfSecond) ||
-    AreOthersOnOneSide({ *second[0], *second[1], *second[2] }, first, sharedOfFirst);
-}
-
 /// What two triangles have in common, boundaries included, exactly: no tolerance. See Orient3D.h
 /// for the range of coordinates. A triangle whose corners lie on one line has nothing in common
 /// with any. `shared` only spares work.
@@ -428,6 +354,12 @@ inline TriangleContact FindContact(const TriangleInPlane& first,
   const FloatingPlane planeOfSecond(second[0], second[1], second[2]);
   const detail::Sides sidesOfFirst = detail::SureSidesOf(first.Corners, planeOfSecond);
   if (detail::AreOnOneSide(sidesOfFirst))
+  {
+    return {};
+  }
+  if (shared == NoSharedCorners &&
+    (detail::HasZero(sidesOfFirst) || detail::HasZero(sidesOfSecond)) &&
+    detail::AreApartFromAbove(first, second))
   {
     return {};
   }

@@ -57,11 +57,7 @@ struct PolygonPlane
     return Dot(this->Normal, x - this->Origin) / Norm2(this->Normal);
   }
 
-  int DominantAxis() const
-  {
-    int axis = std::abs(this->Normal[1]) > std::abs(this->Normal[0]) ? 1 : 0;
-    return std::abs(this->Normal[2]) > std::abs(this->Normal[axis]) ? 2 : axis;
-  }
+  int DominantAxis() const { return LargestAxis(this->Normal); }
 };
 
 /// Whether x is inside the polygon, both seen along an axis. Signs are exact; the boundary is in.

@@ -103,6 +103,9 @@ public:
     }
   }
 
+  /// The axis along which the triangle is seen largest, within rounding.
+  int DominantAxis() const { return LargestAxis(this->Normal); }
+
   /// The sign of (b - a) x (c - a) . (x - a); 0 also where rounding could matter.
   int SureSideOf(const Vector3& x) const
   {
