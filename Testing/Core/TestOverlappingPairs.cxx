@@ -224,6 +224,46 @@ TYPED_TEST(OverlappingPairsTest, AreFoundThroughARigidMotion)
   }
 }
 
+/// Boxes are moved in single precision where the trees' frames are much the same, else in double.
+TEST(OverlappingPairsOfMovedTest, AreFound)
+{
+  Random random(4);
+  for (const double size : { 1.0, 20.0, 0.004 })
+  {
+    for (const double away : { 0.0, 1e3, 1e9 })
+    {
+      for (const double angle : { 0.0, 0.4, 1.6, 3.1 })
+      {
+        const Motion<3> turn{ angle, Filled<3>(0.0) };
+        skd::RigidMotion motion{ {}, random.Point<3>(-0.5, 0.5) + Filled<3>(away) };
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const skd::Vector<3> column = turn.Rotated(Along<3>(axis, 1.0));
+          for (int row = 0; row < 3; ++row)
+          {
+            motion.Rows[row][axis] = column[row];
+          }
+        }
+        const Boxes<3> first = Transformed<3>(RandomBoxes<3>(513), 1.0, away);
+        const Boxes<3> second = Transformed<3>(RandomBoxes<3>(65, 9), size, 0.0);
+        const double margin = away > 1e6 ? 1e-5 : 1e-9; // coordinates of 1e9 are rounded
+        Boxes<3> moved = second;
+        for (skd::Box<3>& box : moved)
+        {
+          box = motion.Forward(box).Inflated(margin);
+        }
+        ForEachKindOfTrees<3>(first, second,
+          [&](const auto& firstTree, const auto& secondTree)
+          {
+            ExpectVisited(VisitedPairs(firstTree, secondTree, skd::MovedWorld{ motion, margin }),
+              Pairs(first, moved, Filled<3>(away), -1e-12),
+              Pairs(first, moved, Filled<3>(away), 1e-4 * std::max(1.0, size)));
+          });
+      }
+    }
+  }
+}
+
 TYPED_TEST(OverlappingPairsTest, OfSetsApartAreNone)
 {
   constexpr int D = TypeParam::Value;

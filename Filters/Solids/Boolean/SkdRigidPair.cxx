@@ -5,6 +5,7 @@
 #include "Bodies/SkdEdgeTable.h"
 #include "Cells/Search/SkdBuildTree.h"
 #include "Core/Geometry/DisjointSets.h"
+#include "Core/Geometry/MarkedNumbers.h"
 #include "Core/Search/Queries/OverlapParts.h"
 #include "Core/Search/Tree/LazyTree.h"
 #include "Solids/Boolean/SkdSolids.h"
@@ -36,18 +37,6 @@ bool IsMirroring(const skd::RigidMotion& motion)
 {
   return Dot(Cross(motion.Rows[0], motion.Rows[1]), motion.Rows[2]) < 0.0;
 }
-
-/// A box of the second surface as it was read, as a box around where it is, with a margin.
-struct MovedBox
-{
-  const skd::RigidMotion& Motion;
-  double Margin;
-
-  skd::Box3 operator()(const skd::Box3& box) const
-  {
-    return this->Motion.Forward(box).Inflated(this->Margin);
-  }
-};
 
 /// A tree whose elements are all shifted: its boxes are compared with those of another in single
 /// precision, as of two trees that are at rest.
@@ -344,6 +333,13 @@ void SkdRigidPair::FindClusters()
       this->TrianglesOfCluster.Add(cluster.begin(), cluster.end());
     }
   }
+  for (std::uint32_t triangle = 0; triangle < n; ++triangle)
+  {
+    if (triangle + 1 == n || this->ClusterOf[triangle] != this->ClusterOf[triangle + 1])
+    {
+      this->EndsOfRuns.push_back(triangle + 1);
+    }
+  }
   std::vector<std::uint32_t> beside;
   for (std::uint32_t cluster = 0; cluster < this->TrianglesOfCluster.size(); ++cluster)
   {
@@ -405,25 +401,25 @@ SkdRigidPair::Near SkdRigidPair::FindNear() const
     }
     return box;
   };
-  std::vector<bool> isNear(this->Set.GetTriangles().size(), false);
+  skd::MarkedNumbers nearTriangles(this->Set.GetTriangles().size());
   std::vector<std::uint64_t> pairs;
-  const auto add = [&](std::uint32_t triangle)
-  {
-    if (!isNear[triangle])
-    {
-      isNear[triangle] = true;
-      near.Triangles.push_back(triangle);
-    }
-  };
+  std::uint32_t known = None; // triangle of the second surface: mostly it is met again at once
+  skd::Box3 second;
+  skd::Box3 grown;
   const auto visit = [&](std::uint32_t a, std::uint32_t b)
   {
     b += this->Middle;
-    const skd::Box3 first = boxOf(a);
-    const skd::Box3 second = boxOf(b);
-    if (first.Inflated(margin).Overlaps(second))
+    if (b != known)
     {
-      add(a);
-      add(b);
+      second = boxOf(b);
+      grown = second.Inflated(margin);
+      known = b;
+    }
+    const skd::Box3 first = boxOf(a);
+    if (first.Overlaps(grown))
+    {
+      nearTriangles.Mark(a);
+      nearTriangles.Mark(b);
       if (first.Overlaps(second))
       {
         pairs.push_back(static_cast<std::uint64_t>(a) << 32 | b);
@@ -445,9 +441,9 @@ SkdRigidPair::Near SkdRigidPair::FindNear() const
   }
   else
   {
-    search(this->Both->Second, MovedBox{ this->Motion, 2.0 * margin });
+    search(this->Both->Second, skd::MovedWorld{ this->Motion, 2.0 * margin });
   }
-  std::sort(near.Triangles.begin(), near.Triangles.end());
+  near.Triangles = nearTriangles.List();
   near.Pairs = ListAscending(std::move(pairs));
   return near;
 }

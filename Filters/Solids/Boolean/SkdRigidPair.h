@@ -128,6 +128,8 @@ public:
   {
     return this->ClustersBeside[cluster];
   }
+  /// The ends of consecutive triangles of one cluster, ascending.
+  const std::vector<std::uint32_t>& GetEndsOfRuns() const { return this->EndsOfRuns; }
   ///@}
 
   std::uint32_t GetComponentOf(std::uint32_t triangle) const { return this->ComponentOf[triangle]; }
@@ -183,6 +185,7 @@ private:
   std::vector<std::uint32_t> ClusterOf;
   skd::IndexRows TrianglesOfCluster;
   skd::IndexRows ClustersBeside;
+  std::vector<std::uint32_t> EndsOfRuns; // of clusters
   std::unique_ptr<Trees> Both;
 };
 }

@@ -3,9 +3,11 @@
 #ifndef skd_Queries_OverlappingPairs_h
 #define skd_Queries_OverlappingPairs_h
 
+#include "../../Geometry/RigidMotion.h"
 #include "../Tree/Tolerances.h"
 #include "QueryBox.h"
 
+#include <array>
 #include <cfloat>
 #include <limits>
 #include <type_traits>
@@ -25,11 +27,23 @@ struct SameWorld
   }
 };
 
+/// The second's world is moved, and boxes are grown by a margin.
+struct MovedWorld
+{
+  const RigidMotion& Motion;
+  double Margin = 0.0;
+
+  Box3 operator()(const Box3& box) const
+  {
+    return this->Motion.Forward(box).Inflated(this->Margin);
+  }
+};
+
 /// Pairs of elements of two trees whose boxes overlap (Algorithm 5.4).
 ///
 /// `toFirst(Box<D>)` gives a box of the second tree's world as a box of the first's, bounds of the
-/// moved box: SameWorld, fastest, or a rigid motion. `visitor(a, b)` returns false to end the
-/// search.
+/// moved box: SameWorld, fastest, MovedWorld, or any other motion. `visitor(a, b)` returns false to
+/// end the search.
 ///
 /// Pairs of elements whose own boxes overlap, not only those of the trees: a visitor that is called
 /// as visitor(a, b, isSure) has to find that out only where it is not sure. The trees' boxes are
@@ -54,6 +68,10 @@ public:
       const double rounding =
         tolerances::BoxPairExcess * (1.0 + this->Map.Factor) + 4.0 * this->Map.Margin;
       this->Excess = Frame<D>::RoundUp(excess * first.Scale + rounding);
+    }
+    else if constexpr (std::is_same_v<ToFirstWorld, MovedWorld>)
+    {
+      this->Map = MotionMap(first, second, toFirst);
     }
   }
 
@@ -170,11 +188,80 @@ private:
     }
   };
 
+  /// The same through a motion: the centre of a box is moved, and its half lengths by the
+  /// magnitudes of the rotation's elements.
+  struct MotionMap
+  {
+    bool IsFit = false;
+    float Rows[3][3] = {};
+    float Shift[3] = {};
+    float Margin = 0.0f;
+
+    MotionMap() = default;
+    MotionMap(const Frame<3>& first, const Frame<3>& second, const MovedWorld& toFirst)
+    {
+      constexpr double most = 16.0;
+      const RigidMotion& motion = toFirst.Motion;
+      const double factor = first.Scale / second.Scale;
+      const Vector3 centre = motion.Forward(second.Centre) - first.Centre;
+      double largest = 0.0; // of coordinates, for those in the second's frame are at most 1
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double shift = centre[axis] * first.Scale;
+        this->Shift[axis] = static_cast<float>(std::clamp(shift, -most, most));
+        largest = std::max(largest, 2.0 * factor + std::abs(shift));
+        for (int other = 0; other < 3; ++other)
+        {
+          const double element = motion.Rows[axis][other] * factor;
+          this->Rows[axis][other] = static_cast<float>(std::clamp(element, -most, most));
+        }
+      }
+      // In single precision ten roundings of the centre, ten of the half lengths and two of what
+      // they give; in double precision some of coordinates in the world.
+      const double inWorld = 16.0 * std::numeric_limits<double>::epsilon() *
+        (Norm(first.Centre) + Norm(second.Centre) + Norm(motion.Shift));
+      this->Margin =
+        Frame<3>::RoundUp((toFirst.Margin + inWorld) * first.Scale + 24.0 * FLT_EPSILON * largest);
+      this->IsFit =
+        toFirst.Margin >= 0.0 && largest < most && factor > 1.0 / most && this->Margin < most;
+    }
+
+    BoxPacket<3, Width> operator()(const BoxPacket<3, Width>& boxes) const
+    {
+      const Lanes<Width> half(0.5f);
+      std::array<Lanes<Width>, 3> centres;
+      std::array<Lanes<Width>, 3> lengths;
+      ForEachAxis<3>(
+        [&](int axis)
+        {
+          centres[axis] = (boxes.Maxs(axis) + boxes.Mins(axis)) * half;
+          lengths[axis] = (boxes.Maxs(axis) - boxes.Mins(axis)) * half;
+        });
+      BoxPacket<3, Width> scaledBoxes;
+      ForEachAxis<3>(
+        [&](int axis)
+        {
+          Lanes<Width> centre(this->Shift[axis]);
+          Lanes<Width> length(this->Margin);
+          ForEachAxis<3>(
+            [&](int other)
+            {
+              const float element = this->Rows[axis][other];
+              centre = centre + centres[other] * Lanes<Width>(element);
+              length = length + lengths[other] * Lanes<Width>(std::abs(element));
+            });
+          (centre - length).Store(scaledBoxes.Min[axis]);
+          (centre + length).Store(scaledBoxes.Max[axis]);
+        });
+      return scaledBoxes;
+    }
+  };
+
   const Frame<D>& First;
   const Frame<D>& Second;
   const ToFirstWorld& TheMotion;
   Visitor& TheVisitor;
-  FrameMap Map;
+  std::conditional_t<std::is_same_v<ToFirstWorld, MovedWorld>, MotionMap, FrameMap> Map;
   float Excess = std::numeric_limits<float>::infinity();
 };
 
