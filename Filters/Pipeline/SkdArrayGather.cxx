@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace skdtree
 {
@@ -45,7 +46,7 @@ double HeldBy(vtkDataArray* numbers, double value)
 }
 
 vtkSmartPointer<vtkAbstractArray> MakeResult(
-  vtkAbstractArray* like, vtkIdType n, double fill, bool isDouble)
+  vtkAbstractArray* like, vtkIdType n, std::optional<double> fill, bool isDouble)
 {
   const int ownType = like->GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : like->GetDataType();
   const int type = isDouble && like->IsNumeric() ? VTK_DOUBLE : ownType;
@@ -55,9 +56,10 @@ vtkSmartPointer<vtkAbstractArray> MakeResult(
   result->SetNumberOfComponents(like->GetNumberOfComponents());
   result->CopyComponentNames(like);
   result->SetNumberOfTuples(n);
-  if (vtkDataArray* numbers = vtkDataArray::SafeDownCast(result))
+  vtkDataArray* const numbers = vtkDataArray::SafeDownCast(result);
+  if (numbers && fill)
   {
-    numbers->Fill(HeldBy(numbers, fill));
+    numbers->Fill(HeldBy(numbers, *fill));
   }
   return result;
 }
@@ -202,11 +204,38 @@ void SkdArrayGather::Allocate(vtkIdType n, double fill, bool isDouble)
   for (Array& array : this->Arrays)
   {
     array.Result = MakeResult(array.First, n, fill, isDouble);
-    ChooseFunctions(array);
-    if (array.IsPartial)
+    AllocateMarks(array, n);
+  }
+}
+
+void SkdArrayGather::AllocateUnfilled(vtkIdType n)
+{
+  for (Array& array : this->Arrays)
+  {
+    const auto fill = array.IsPartial ? std::make_optional(vtkMath::Nan()) : std::nullopt;
+    array.Result = MakeResult(array.First, n, fill, false);
+    AllocateMarks(array, n);
+  }
+}
+
+void SkdArrayGather::AllocateMarks(Array& array, vtkIdType n)
+{
+  ChooseFunctions(array);
+  if (array.IsPartial)
+  {
+    const std::string name = std::string(SkdPartialMarkPrefix) + array.First->GetName();
+    array.Marks = SkdMakeArray<vtkUnsignedCharArray>(name.c_str(), 1, n, 0);
+  }
+}
+
+void SkdArrayGather::Clear(vtkIdType to)
+{
+  for (const Array& array : this->Arrays)
+  {
+    vtkDataArray* const numbers = vtkDataArray::SafeDownCast(array.Result);
+    for (int c = 0; numbers && c < numbers->GetNumberOfComponents(); ++c)
     {
-      const std::string name = std::string(SkdPartialMarkPrefix) + array.First->GetName();
-      array.Marks = SkdMakeArray<vtkUnsignedCharArray>(name.c_str(), 1, n, 0);
+      numbers->SetComponent(to, c, HeldBy(numbers, vtkMath::Nan()));
     }
   }
 }
@@ -263,9 +292,11 @@ SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
     target, n, blocks, type, refused, vtkMath::Nan(), [](const std::string&) { return true; });
 }
 
-SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
-  const std::vector<SkdBlock>& blocks, int type, std::set<std::string>& refused, double fill,
-  const std::function<bool(const std::string&)>& isNamed)
+namespace
+{
+/// The gather of arrays to be added to a target, not yet allocated.
+SkdArrayGather FindArrays(vtkDataSetAttributes* target, const std::vector<SkdBlock>& blocks,
+  int type, std::set<std::string>& refused, const std::function<bool(const std::string&)>& isNamed)
 {
   std::vector<vtkDataSetAttributes*> sets;
   for (const SkdBlock& block : blocks)
@@ -297,8 +328,26 @@ SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
     }
     return true;
   };
-  SkdArrayGather gather(sets, isWanted);
+  return SkdArrayGather(sets, isWanted);
+}
+}
+
+SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
+  const std::vector<SkdBlock>& blocks, int type, std::set<std::string>& refused, double fill,
+  const std::function<bool(const std::string&)>& isWanted)
+{
+  SkdArrayGather gather = FindArrays(target, blocks, type, refused, isWanted);
   gather.Allocate(n, fill);
+  gather.AddTo(target);
+  return gather;
+}
+
+SkdArrayGather SkdGatherUnfilled(vtkDataSetAttributes* target, vtkIdType n,
+  const std::vector<SkdBlock>& blocks, int type, std::set<std::string>& refused)
+{
+  SkdArrayGather gather =
+    FindArrays(target, blocks, type, refused, [](const std::string&) { return true; });
+  gather.AllocateUnfilled(n);
   gather.AddTo(target);
   return gather;
 }

@@ -44,11 +44,17 @@ public:
   /// rounded.
   void Allocate(vtkIdType n, double fill = vtkMath::Nan(), bool isDouble = false);
 
+  /// The same for callers that take, interpolate or clear each tuple: to fill arrays first, but for
+  /// partial ones, would be in vain.
+  void AllocateUnfilled(vtkIdType n);
+
   ///@{
   /// Sets tuple `to` of each result from tuples of data set `set`. Thread-safe for distinct `to`.
   void Interpolate(vtkIdType to, int set, vtkIdList* ids, double* weights);
   void Take(vtkIdType to, int set, vtkIdType from);
   ///@}
+  /// Sets tuple `to` to NaN, or 0 in integer arrays. Thread-safe for distinct `to`.
+  void Clear(vtkIdType to);
 
   /// Adds the resulting arrays and the marks of partial ones.
   void AddTo(vtkDataSetAttributes* attributes) const;
@@ -81,6 +87,7 @@ private:
     TakeFunction Take = nullptr;
   };
 
+  static void AllocateMarks(Array& array, vtkIdType n);
   static Array Find(const std::vector<vtkDataSetAttributes*>& sets, vtkAbstractArray* first);
   static void ChooseFunctions(Array& array);
   static vtkAbstractArray* SourceOf(const Array& array, vtkIdType to, int set);
@@ -92,6 +99,10 @@ private:
 /// "none" and added to `target`: all but ghost marks, and points' ids and rational weights.
 /// Names that are already in use are not added but inserted into `refused`.
 SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
+  const std::vector<SkdBlock>& blocks, int type, std::set<std::string>& refused);
+
+/// The same for callers that take, interpolate or clear each tuple.
+SkdArrayGather SkdGatherUnfilled(vtkDataSetAttributes* target, vtkIdType n,
   const std::vector<SkdBlock>& blocks, int type, std::set<std::string>& refused);
 
 /// The same for arrays for whose name `isWanted` returns true; "none" is `fill`, see

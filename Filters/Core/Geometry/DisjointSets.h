@@ -59,6 +59,9 @@ public:
     return a != b;
   }
 
+  /// Makes a number a set by itself. All of its set must be made so.
+  void TakeOut(Index i) { this->Lower[i] = i; }
+
   /// The representative of each number.
   std::vector<Index> Representatives()
   {

@@ -262,44 +262,19 @@ private:
   std::vector<std::uint32_t> Loop;
 };
 
-/// One face for each facet. Mostly many of one sign follow each other.
-SkdBooleanFaces MakeTriangles(const SkdFacets& facets, const SkdFacetSigns& signs)
+/// One face for each facet.
+SkdBooleanFaces MakeFacets(const SkdFacetSigns& signs)
 {
   const auto unused = std::count(signs.begin(), signs.end(), 0);
-  const std::size_t n = signs.size() - static_cast<std::size_t>(unused);
   SkdBooleanFaces faces;
-  faces.Facets.resize(n);
-  faces.Corners.resize(3 * n);
-  faces.Ends.resize(n + 1);
-  for (std::size_t i = 0; i <= n; ++i)
-  {
-    faces.Ends[i] = static_cast<std::uint32_t>(3 * i);
-  }
-  std::uint32_t* to = faces.Corners.data();
-  std::uint32_t* facetOf = faces.Facets.data();
-  const auto size = static_cast<std::uint32_t>(signs.size());
-  for (std::uint32_t first = 0; first < size;)
-  {
-    std::uint32_t last = first + 1;
-    while (last < size && signs[last] == signs[first])
+  faces.Facets.resize(signs.size() - static_cast<std::size_t>(unused));
+  std::uint32_t* to = faces.Facets.data();
+  SkdBooleanFaces::ForEachRun(signs,
+    [&to](std::size_t first, std::size_t last)
     {
-      ++last;
-    }
-    if (signs[first] != 0)
-    {
-      std::iota(facetOf, facetOf + (last - first), first);
-      facetOf += last - first;
-      const bool isReversed = signs[first] < 0;
-      for (std::uint32_t facet = first; facet < last; ++facet, to += 3)
-      {
-        const Corners& corners = facets.Corners[facet];
-        to[0] = corners[0];
-        to[1] = isReversed ? corners[2] : corners[1];
-        to[2] = isReversed ? corners[1] : corners[2];
-      }
-    }
-    first = last;
-  }
+      std::iota(to, to + (last - first), static_cast<std::uint32_t>(first));
+      to += last - first;
+    });
   return faces;
 }
 }
@@ -308,7 +283,7 @@ SkdBooleanFaces SkdMakeBooleanFaces(const SkdMovedTriangles& set, const SkdFacet
   const SkdFacetSigns& signs, const SkdFaceOptions& options)
 {
   return options.IsPolygon.empty() && !options.IsMerged
-    ? MakeTriangles(facets, signs)
+    ? MakeFacets(signs)
     : FaceMaker(set, facets, signs, options).Make();
 }
 }

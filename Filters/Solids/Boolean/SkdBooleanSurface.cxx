@@ -6,21 +6,23 @@
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeArray.h"
-#include "Pipeline/SkdMakeMesh.h"
 #include "Solids/Boolean/SkdBooleanFaces.h"
 #include "Solids/Boolean/SkdSectionFaces.h"
 #include "Solids/Surfaces/SkdSplitPointData.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkSMPThreadLocalObject.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 
 namespace skdtree
 {
@@ -77,26 +79,43 @@ public:
     , To(output)
   {
     this->NumberPoints();
+    this->FindRunsOfFaces();
   }
 
   void FillShape() const
   {
-    const double unscaled = 1.0 / this->Parts.Solids.GetPlacement().Scale;
-    const auto pointAt = [&](vtkIdType i)
-    { return unscaled * this->Facets.GetPosition(this->Moved, this->Points[i]); };
+    this->FillPoints();
+    const auto n = static_cast<vtkIdType>(this->Faces.Facets.size());
     const SkdBooleanFaces::Numbers& items = this->Faces.Corners;
-    const SkdBooleanFaces::Numbers& offsets = this->Faces.Ends;
-    auto starts =
-      SkdMakeArray<vtkIdTypeArray>("offsets", 1, static_cast<vtkIdType>(offsets.size()));
-    auto corners =
-      SkdMakeArray<vtkIdTypeArray>("connectivity", 1, static_cast<vtkIdType>(items.size()));
-    std::copy(offsets.begin(), offsets.end(), starts->GetPointer(0));
+    const auto size = this->Faces.AreFacets() ? 3 * n : static_cast<vtkIdType>(items.size());
+    auto starts = SkdMakeArray<vtkIdTypeArray>("offsets", 1, n + 1);
+    auto corners = SkdMakeArray<vtkIdTypeArray>("connectivity", 1, size);
+    vtkIdType* const offsets = starts->GetPointer(0);
+    vtkIdType* to = corners->GetPointer(0);
     const std::uint32_t* const numbers = this->Numbers.data();
-    std::transform(items.begin(), items.end(), corners->GetPointer(0),
-      [numbers](std::uint32_t corner) { return static_cast<vtkIdType>(numbers[corner]); });
+    if (this->Faces.AreFacets())
+    {
+      for (vtkIdType i = 0; i <= n; ++i)
+      {
+        offsets[i] = 3 * i;
+      }
+      SkdBooleanFaces::ForEachFacet(this->Facets, this->Parts.Boundary.GetSigns(),
+        [numbers, next = to](std::uint32_t a, std::uint32_t b, std::uint32_t c) mutable
+        {
+          next[0] = numbers[a];
+          next[1] = numbers[b];
+          next[2] = numbers[c];
+          next += 3;
+        });
+    }
+    else
+    {
+      std::copy(this->Faces.Ends.begin(), this->Faces.Ends.end(), offsets);
+      std::transform(items.begin(), items.end(), to,
+        [numbers](std::uint32_t corner) { return static_cast<vtkIdType>(numbers[corner]); });
+    }
     vtkNew<vtkCellArray> cells;
     cells->SetData(starts, corners);
-    this->To->SetPoints(SkdMakePoints(static_cast<vtkIdType>(this->Points.size()), pointAt));
     this->To->SetPolys(cells);
   }
 
@@ -114,7 +133,7 @@ public:
       this->AddSolidCounts(n, data);
     }
     SkdArrayGather gather =
-      SkdGatherInto(data, n, this->Parts.Blocks.All, vtkDataObject::CELL, refused);
+      SkdGatherUnfilled(data, n, this->Parts.Blocks.All, vtkDataObject::CELL, refused);
     SkdForEach(gather.GetNumberOfArrays() > 0 ? n : 0,
       [&](vtkIdType i)
       {
@@ -126,7 +145,7 @@ public:
   void FillPointData(std::set<std::string>& refused) const
   {
     const auto n = static_cast<vtkIdType>(this->Points.size());
-    SkdArrayGather gather = SkdGatherInto(
+    SkdArrayGather gather = SkdGatherUnfilled(
       this->To->GetPointData(), n, this->Parts.Blocks.All, vtkDataObject::POINT, refused);
     if (gather.GetNumberOfArrays() == 0)
     {
@@ -135,19 +154,21 @@ public:
     const SkdSplitPointData data(this->Set, this->Facets.NewPoints);
     const bool areAlike = AreAlike(gather, this->Parts.Blocks.All);
     vtkSMPThreadLocalObject<vtkIdList> ids;
-    vtkSMPTools::For(0, n,
+    ForEachRun(n, this->RunsOfPoints,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end;)
         {
-          const vtkIdType last = areAlike ? this->FindEndOfRun(data, i, end) : i + 1;
+          const std::uint32_t point = this->Points[i];
+          const vtkIdType last =
+            areAlike ? std::min<vtkIdType>(end, i + data.CountAlike(point)) : i + 1;
           if (last > i + 1)
           {
-            TakeRun(gather, i, last - i, *data.FindOrigin(this->Points[i]));
+            TakeRun(gather, i, last - i, *data.FindOrigin(point));
           }
           else
           {
-            data.Gather(this->Points[i], i, gather, ids.Local());
+            data.Gather(point, i, gather, ids.Local());
           }
           i = last;
         }
@@ -176,22 +197,70 @@ private:
     return true;
   }
 
-  /// Points from one on that follow each other in their data set, too.
-  vtkIdType FindEndOfRun(const SkdSplitPointData& data, vtkIdType first, vtkIdType end) const
+  /// Points that follow each other in the arrangement are copied at once.
+  void FillPoints() const
   {
-    const SkdTriangleSet::Origin* const origin = data.FindOrigin(this->Points[first]);
-    if (!origin)
+    const auto n = static_cast<vtkIdType>(this->Points.size());
+    const double unscaled = 1.0 / this->Parts.Solids.GetPlacement().Scale;
+    vtkNew<vtkDoubleArray> coordinates;
+    coordinates->SetNumberOfComponents(3);
+    coordinates->SetNumberOfTuples(n);
+    double* const values = coordinates->GetPointer(0);
+    const SkdTriangleSet::PointList& given = this->Moved.GetPoints();
+    ForEachRun(n, this->RunsOfPoints,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        const std::size_t first = this->Points[begin];
+        if (unscaled == 1.0 && first + static_cast<std::size_t>(end - begin) <= given.size())
+        {
+          std::memcpy(values + 3 * begin, given[first].X,
+            static_cast<std::size_t>(end - begin) * sizeof(skd::Vector3));
+          return;
+        }
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const skd::Vector3 x = unscaled * this->Facets.GetPosition(this->Moved, this->Points[i]);
+          std::copy_n(x.X, 3, values + 3 * i);
+        }
+      });
+    vtkNew<vtkPoints> points;
+    points->SetData(coordinates);
+    this->To->SetPoints(points);
+  }
+
+  /// Calls visit(begin, end), maybe in parallel, for numbers up to n of one run. `runs` are the
+  /// first ones of each.
+  template <class Visit>
+  static void ForEachRun(vtkIdType n, const std::vector<std::uint32_t>& runs, const Visit& visit)
+  {
+    vtkSMPTools::For(0, n,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        auto next = std::upper_bound(runs.begin(), runs.end(), begin);
+        for (vtkIdType first = begin; first < end;)
+        {
+          const vtkIdType last = next == runs.end() ? end : std::min<vtkIdType>(end, *next++);
+          visit(first, last);
+          first = last;
+        }
+      });
+  }
+
+  /// Mostly the triangles that faces are of follow each other, as they did in the inputs.
+  void FindRunsOfFaces()
+  {
+    const auto n = static_cast<std::uint32_t>(this->Faces.Facets.size());
+    const std::uint32_t* const facets = this->Faces.Facets.data();
+    const std::uint32_t* const parents = this->Facets.Parents.data();
+    for (std::uint32_t i = 0; i < n;)
     {
-      return first + 1;
+      this->RunsOfFaces.push_back(i);
+      std::uint32_t next = parents[facets[i]] + 1;
+      for (++i; i < n && parents[facets[i]] == next; ++i)
+      {
+        ++next;
+      }
     }
-    const int block = origin->Block;
-    vtkIdType last = first + 1;
-    for (vtkIdType id = origin->Id + 1; last < end && data.IsFrom(this->Points[last], block, id);
-         ++id)
-    {
-      ++last;
-    }
-    return last;
   }
 
   static void TakeRun(const SkdArrayGather& gather, vtkIdType to, vtkIdType count,
@@ -231,16 +300,31 @@ private:
     {
       numbers[corner] = 0;
     }
+    if (this->Faces.AreFacets())
+    {
+      SkdBooleanFaces::ForEachFacet(this->Facets, this->Parts.Boundary.GetSigns(),
+        [numbers](std::uint32_t a, std::uint32_t b, std::uint32_t c)
+        { numbers[a] = numbers[b] = numbers[c] = 0; });
+    }
     this->Points.resize(this->Numbers.size());
     std::uint32_t* const points = this->Points.data();
     std::uint32_t count = 0;
     const auto n = static_cast<std::uint32_t>(this->Numbers.size());
-    for (std::uint32_t point = 0; point < n; ++point)
+    const auto given = static_cast<std::uint32_t>(this->Moved.GetPoints().size());
+    for (std::uint32_t point = 0; point < n;)
     {
-      const bool isUsed = numbers[point] != none;
-      points[count] = point; // without a branch: the next one takes its place
-      numbers[point] = isUsed ? count : none;
-      count += isUsed;
+      if (numbers[point] == none)
+      {
+        ++point;
+        continue;
+      }
+      this->RunsOfPoints.push_back(count);
+      const std::uint32_t end = point < given ? given : n;
+      for (; point < end && numbers[point] != none; ++point)
+      {
+        points[count] = point;
+        numbers[point] = count++;
+      }
     }
     this->Points.resize(count);
   }
@@ -255,12 +339,21 @@ private:
       SkdMakeArray<vtkIntArray>(SkdBooleanNames::Block, 1, this->Parts.Blocks.IsComposite ? n : 0);
     int* const inputOf = inputs->GetPointer(0);
     vtkIdType* const idOf = ids->GetPointer(0);
-    SkdForEach(n,
-      [&](vtkIdType i)
+    const int firstOfSource = this->Parts.Blocks.FirstOfSource;
+    const bool areCells = this->Set.GetCells().size() == this->Set.GetTriangles().size();
+    ForEachRun(n, this->RunsOfFaces,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const SkdTriangleSet::Cell& cell = this->CellOf(this->ParentOf(i));
-        inputOf[i] = cell.Block < this->Parts.Blocks.FirstOfSource ? 0 : 1;
-        idOf[i] = cell.Id;
+        const std::uint32_t parent = this->ParentOf(begin);
+        const SkdTriangleSet::Cell* const cells = this->Set.GetCells().data();
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const auto triangle = parent + static_cast<std::uint32_t>(i - begin);
+          const SkdTriangleSet::Cell& cell =
+            cells[areCells ? triangle : this->Set.GetCellOf(triangle)];
+          inputOf[i] = cell.Block < firstOfSource ? 0 : 1;
+          idOf[i] = cell.Id;
+        }
       });
     SkdForEach(hasSolids ? n : 0,
       [&](vtkIdType i)
@@ -306,16 +399,47 @@ private:
   /// Numbers from 0 on, in the order of the faces that were given.
   vtkSmartPointer<vtkIdTypeArray> NumberFaces(vtkIdType n) const
   {
+    constexpr std::uint32_t none = 0xffffffffu;
     auto array = SkdMakeArray<vtkIdTypeArray>(SkdBooleanNames::Face, 1, n);
-    SkdFaceSets& faces = this->Parts.Solids.GetFaces();
-    std::vector<std::uint32_t> numbers(faces.GetNumberOfTriangles(), 0); // and 1; 0: none yet
     vtkIdType* const to = array->GetPointer(0);
-    std::uint32_t count = 0;
-    for (vtkIdType i = 0; i < n; ++i)
+    SkdFaceSets& faces = this->Parts.Solids.GetFaces();
+    skd::RawVector<std::uint32_t> numbers(faces.GetNumberOfTriangles());
+    // Pieces of one triangle follow each other there.
+    const bool areInOrder = this->Faces.AreFacets() && !this->Parts.Solids.GetCombined();
+    if (areInOrder)
     {
-      std::uint32_t& number = numbers[faces.Find(this->ParentOf(i))];
-      number = number == 0 ? ++count : number;
-      to[i] = static_cast<vtkIdType>(number) - 1;
+      faces.GetUnited().ForEach([&numbers](std::uint32_t triangle) { numbers[triangle] = none; });
+    }
+    else
+    {
+      std::fill(numbers.begin(), numbers.end(), none);
+    }
+    std::uint32_t count = 0;
+    std::uint32_t last = none; // triangle that is a face
+    for (std::size_t run = 0; run < this->RunsOfFaces.size(); ++run)
+    {
+      const std::uint32_t begin = this->RunsOfFaces[run];
+      const vtkIdType end = run + 1 < this->RunsOfFaces.size() ? this->RunsOfFaces[run + 1] : n;
+      std::uint32_t triangle = this->ParentOf(begin);
+      for (vtkIdType i = begin; i < end;)
+      {
+        const auto left = static_cast<std::uint32_t>(end - i);
+        const std::uint32_t next =
+          areInOrder ? faces.GetUnited().FindNext(triangle, triangle + left) : triangle;
+        if (next > triangle)
+        {
+          count -= triangle == last;
+          std::iota(to + i, to + i + (next - triangle), static_cast<vtkIdType>(count));
+          count += next - triangle;
+          i += next - triangle;
+          triangle = next;
+          last = next - 1;
+          continue;
+        }
+        std::uint32_t& number = numbers[faces.Find(triangle++)];
+        number = number == none ? count++ : number;
+        to[i++] = static_cast<vtkIdType>(number);
+      }
     }
     return array;
   }
@@ -346,8 +470,10 @@ private:
   const SkdFacets& Facets;
   const bool IsImprint;
   const SkdBooleanFaces Faces;
-  std::vector<std::uint32_t> Numbers;   // of the arrangement's points in the output
-  skd::RawVector<std::uint32_t> Points; // of the output, in the arrangement
+  std::vector<std::uint32_t> Numbers;      // of the arrangement's points in the output
+  skd::RawVector<std::uint32_t> Points;    // of the output, in the arrangement
+  std::vector<std::uint32_t> RunsOfPoints; // that follow each other there: the first ones
+  std::vector<std::uint32_t> RunsOfFaces;  // of triangles that follow each other: the first ones
   vtkPolyData* To;
 };
 }

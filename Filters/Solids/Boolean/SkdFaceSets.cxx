@@ -46,6 +46,13 @@ std::vector<vtkDataArray*> FindNumbers(const std::vector<SkdBlock>& blocks, cons
   }
   return numbers;
 }
+
+/// Whether each triangle is a cell, and cells have no numbers.
+bool AreAllAlone(const SkdTriangleSet& set, const std::vector<vtkDataArray*>& numbers)
+{
+  return set.GetCells().size() == set.GetTriangles().size() &&
+    std::all_of(numbers.begin(), numbers.end(), [](vtkDataArray* array) { return !array; });
+}
 }
 
 //------------------------------------------------------------------------------
@@ -55,8 +62,54 @@ SkdFaceSets::SkdFaceSets(const SkdPlacement& placement, const std::vector<SkdBlo
   , Set(&placement.First.GetSet())
   , Sets(this->Set->GetTriangles().size())
   , Largest(this->Set->GetTriangles().size())
+  , United(this->Largest.size())
 {
   std::iota(this->Largest.begin(), this->Largest.end(), 0u);
+  this->TakeData(blocks, others);
+  const std::vector<Key> keys = this->ListKeys(blocks, name);
+  for (const Key *first = keys.data(), *end = first + keys.size(); first != end;)
+  {
+    const Key* last = first + 1;
+    while (last != end && last->AsTuple() == first->AsTuple())
+    {
+      ++last;
+    }
+    this->UniteAll(first, last);
+    first = last;
+  }
+}
+
+void SkdFaceSets::Update(const SkdPlacement& placement, const std::vector<SkdBlock>& blocks,
+  const char* name, const std::vector<std::string>& others)
+{
+  const SkdTriangleSet& set = placement.First.GetSet();
+  const std::vector<vtkDataArray*> numbers = FindNumbers(blocks, name);
+  if (this->Largest.size() != set.GetTriangles().size() || !AreAllAlone(set, numbers))
+  {
+    *this = SkdFaceSets(placement, blocks, name, others);
+    return;
+  }
+  this->Moved = &placement.First;
+  this->Set = &set;
+  this->Separate();
+  this->TakeData(blocks, others);
+}
+
+void SkdFaceSets::Separate()
+{
+  this->United.ForEach(
+    [this](std::uint32_t triangle)
+    {
+      this->Sets.TakeOut(triangle);
+      this->Largest[triangle] = triangle;
+    });
+  this->United.Clear();
+}
+
+void SkdFaceSets::TakeData(
+  const std::vector<SkdBlock>& blocks, const std::vector<std::string>& others)
+{
+  this->Data.clear();
   for (const SkdBlock& block : blocks)
   {
     this->Data.emplace_back();
@@ -73,17 +126,6 @@ SkdFaceSets::SkdFaceSets(const SkdPlacement& placement, const std::vector<SkdBlo
       }
     }
   }
-  const std::vector<Key> keys = this->ListKeys(blocks, name);
-  for (const Key *first = keys.data(), *end = first + keys.size(); first != end;)
-  {
-    const Key* last = first + 1;
-    while (last != end && last->AsTuple() == first->AsTuple())
-    {
-      ++last;
-    }
-    this->UniteAll(first, last);
-    first = last;
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -93,10 +135,9 @@ std::vector<SkdFaceSets::Key> SkdFaceSets::ListKeys(
   const auto n = static_cast<std::uint32_t>(this->Set->GetTriangles().size());
   const std::vector<vtkDataArray*> numbers = FindNumbers(blocks, name);
   std::vector<Key> keys;
-  if (this->Set->GetCells().size() == n &&
-    std::all_of(numbers.begin(), numbers.end(), [](vtkDataArray* array) { return !array; }))
+  if (AreAllAlone(*this->Set, numbers))
   {
-    return keys; // each triangle is a cell
+    return keys;
   }
   for (std::uint32_t triangle = 0; triangle < n; ++triangle)
   {
@@ -138,6 +179,8 @@ void SkdFaceSets::UniteAll(const Key* first, const Key* last)
 
 void SkdFaceSets::Unite(std::uint32_t a, std::uint32_t b, std::uint32_t largest)
 {
+  this->United.Mark(a); // what was of a face of several is marked already
+  this->United.Mark(b);
   this->Sets.Unite(a, b);
   this->Largest[this->Sets.Find(a)] = largest;
 }

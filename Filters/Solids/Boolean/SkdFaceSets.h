@@ -4,6 +4,7 @@
 #define SkdFaceSets_h
 
 #include "Core/Geometry/DisjointSets.h"
+#include "Core/Geometry/MarkedNumbers.h"
 #include "Solids/Surfaces/SkdPlacement.h"
 
 #include <string>
@@ -19,6 +20,7 @@ class SkdFaceSets
 public:
   SkdFaceSets()
     : Sets(0)
+    , United(0)
   {
   }
 
@@ -28,10 +30,24 @@ public:
   SkdFaceSets(const SkdPlacement& placement, const std::vector<SkdBlock>& blocks, const char* name,
     const std::vector<std::string>& others);
 
+  /// Begins anew, as with the constructor. O(1) for each triangle that was of a face of several, if
+  /// these are of the same set as before, and each is a face when this begins.
+  void Update(const SkdPlacement& placement, const std::vector<SkdBlock>& blocks, const char* name,
+    const std::vector<std::string>& others);
+
   std::size_t GetNumberOfTriangles() const { return this->Largest.size(); }
 
   /// The face of a triangle, by its lowest triangle.
   std::uint32_t Find(std::uint32_t triangle) { return this->Sets.Find(triangle); }
+
+  /// Whether it is a face with no other one.
+  bool IsAlone(std::uint32_t triangle) const { return !this->United.IsMarked(triangle); }
+
+  /// Triangles that are not alone, and maybe others.
+  const skd::MarkedNumbers& GetUnited() const { return this->United; }
+
+  /// Makes each triangle a face by itself.
+  void Separate();
 
   /// Makes the faces of two triangles with a common edge one, if these are of one block, have the
   /// same cell data but for global ids, and lie in one plane, as their faces do. Returns whether
@@ -44,6 +60,7 @@ public:
 private:
   struct Key;
 
+  void TakeData(const std::vector<SkdBlock>& blocks, const std::vector<std::string>& others);
   std::vector<Key> ListKeys(const std::vector<SkdBlock>& blocks, const char* name) const;
   void UniteAll(const Key* first, const Key* last);
   void Unite(std::uint32_t a, std::uint32_t b, std::uint32_t largest);
@@ -57,6 +74,7 @@ private:
   const SkdTriangleSet* Set = nullptr;
   skd::DisjointSets<> Sets;
   std::vector<std::uint32_t> Largest; // triangle of each face, by its lowest
+  skd::MarkedNumbers United;          // triangles that are of faces of several, and maybe others
   std::vector<std::vector<vtkSmartPointer<vtkAbstractArray>>> Data; // of each block
 };
 }

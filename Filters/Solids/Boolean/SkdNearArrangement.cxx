@@ -5,7 +5,6 @@
 #include "Core/Search/Tree/RawVector.h"
 #include "Pipeline/SkdLoop.h"
 #include "Solids/Boolean/SkdJoinPieces.h"
-#include "Solids/Boolean/SkdNearSides.h"
 #include "Solids/Boolean/SkdSlivers.h"
 
 #include <algorithm>
@@ -85,8 +84,7 @@ bool SkdNearArrangement::Arrange(const SkdNearLimits& limits, vtkAlgorithm* filt
   {
     return false;
   }
-  this->OtherAt = std::move(sides->OfFacets);
-  this->OtherOf = std::move(sides->OfTriangles);
+  this->Sides = *std::move(sides);
   return true;
 }
 
@@ -147,12 +145,12 @@ private:
 
 SkdFacetSigns SkdNearArrangement::FindSigns(const SkdBooleanRule& rule) const
 {
-  SkdFacetSigns signs(this->OtherAt.size());
+  SkdFacetSigns signs(this->Sides.OfFacets.size());
   SignCache cache(*this, rule);
   for (std::uint32_t facet = 0; facet < signs.size(); ++facet)
   {
     const std::uint32_t triangle = this->Triangles[this->Part.Facets.Parents[facet]];
-    signs[facet] = cache.Get(this->Pair.GetComponentOf(triangle), this->OtherAt[facet]);
+    signs[facet] = cache.Get(this->Pair.GetComponentOf(triangle), this->Sides.OfFacets[facet]);
   }
   return signs;
 }
@@ -189,6 +187,16 @@ std::uint32_t SkdNearArrangement::PointOf(std::uint32_t point) const
   return point < given ? this->Points[point] : point - given + ofWhole;
 }
 
+/// What consecutive triangles are added to.
+struct SkdNearArrangement::Merging
+{
+  SkdNearBoundary& To;
+  SignCache Signs;
+  std::array<SkdAreaSum, 2> Sums{}; // of each surface
+  std::uint32_t Next = 0;           // triangle
+  const std::uint32_t* EndOfRun;    // of clusters, at that one or before it
+};
+
 /// The facets of a boundary by those of the part, and what they enclose.
 SkdNearBoundary SkdNearArrangement::Merge(
   const SkdFacets& facets, const SkdFacetSigns& signs, const SkdBooleanRule& rule) const
@@ -199,14 +207,12 @@ SkdNearBoundary SkdNearArrangement::Merge(
   merged.Facets.Facets.Corners.reserve(most);
   merged.Facets.Facets.Parents.reserve(most);
   merged.Facets.Signs.reserve(most);
-  SignCache cache(*this, rule);
-  std::array<SkdAreaSum, 2> sums; // of each surface
-  std::uint32_t next = 0;         // triangle
+  Merging merging{ merged, SignCache(*this, rule), {}, 0, this->Pair.GetEndsOfRuns().data() };
   std::uint32_t facet = 0;
   for (std::uint32_t i = 0; i < this->Triangles.size(); ++i)
   {
-    this->AddWhole(next, this->Triangles[i], cache, merged.Facets, sums);
-    next = this->Triangles[i] + 1;
+    this->AddWhole(this->Triangles[i], merging);
+    merging.Next = this->Triangles[i] + 1;
     for (; facet < signs.size() && facets.Parents[facet] == i; ++facet)
     {
       const auto [a, b, c] = facets.Corners[facet];
@@ -216,38 +222,52 @@ SkdNearBoundary SkdNearArrangement::Merge(
       merged.Facets.Signs.push_back(signs[facet]);
     }
   }
-  this->AddWhole(next, n, cache, merged.Facets, sums);
+  this->AddWhole(n, merging);
   merged.Facets.Facets.NewPoints = this->PointsOfWhole(facets.NewPoints);
-  merged.Measures = this->Measure(facets, signs, sums);
+  merged.Measures = this->Measure(facets, signs, merging.Sums);
   return merged;
 }
 
-/// Adds consecutive triangles that are not in the part.
-void SkdNearArrangement::AddWhole(std::uint32_t first, std::uint32_t end, SignCache& cache,
-  SkdRoundedFacets& to, std::array<SkdAreaSum, 2>& sums) const
+/// The component of a triangle that is not in the part, and how often the other surface winds
+/// around it.
+std::pair<std::uint32_t, int> SkdNearArrangement::KindOf(std::uint32_t triangle) const
+{
+  const int ofCluster = this->Sides.OfClusters[this->Pair.GetClusterOf(triangle)];
+  return { this->Pair.GetComponentOf(triangle),
+    ofCluster == SkdNearSides::Near ? this->Sides.OfTriangles[triangle] : ofCluster };
+}
+
+/// Adds the triangles up to one that are not in the part.
+void SkdNearArrangement::AddWhole(std::uint32_t end, Merging& merging) const
 {
   const auto* const all = this->Pair.GetSet().GetTriangles().data();
-  std::vector<std::uint32_t>& parents = to.Facets.Parents;
-  const int* const others = this->OtherOf.data();
-  for (std::uint32_t begin = first; begin < end;)
+  SkdFacets& to = merging.To.Facets.Facets;
+  SkdFacetSigns& signs = merging.To.Facets.Signs;
+  while (merging.Next < end)
   {
-    const std::uint32_t component = this->Pair.GetComponentOf(begin);
-    const int other = others[begin];
-    std::uint32_t last = begin + 1;
-    while (last < end && others[last] == other && this->Pair.GetComponentOf(last) == component)
+    const std::uint32_t begin = merging.Next;
+    const std::pair<std::uint32_t, int> kind = this->KindOf(begin);
+    do
     {
-      ++last;
-    }
-    const signed char sign = cache.Get(component, other);
+      while (*merging.EndOfRun <= merging.Next)
+      {
+        ++merging.EndOfRun;
+      }
+      const int ofCluster = this->Sides.OfClusters[this->Pair.GetClusterOf(merging.Next)];
+      merging.Next =
+        ofCluster == SkdNearSides::Near ? merging.Next + 1 : std::min(*merging.EndOfRun, end);
+    } while (merging.Next < end && this->KindOf(merging.Next) == kind);
+    const signed char sign = merging.Signs.Get(kind.first, kind.second);
     if (sign != 0)
     {
-      to.Facets.Corners.insert(to.Facets.Corners.end(), all + begin, all + last);
-      parents.resize(parents.size() + (last - begin));
-      std::iota(parents.end() - (last - begin), parents.end(), begin);
-      to.Signs.insert(to.Signs.end(), last - begin, sign);
-      sums[this->Pair.IsOfSource(begin)].Add(this->Pair.SumAreas(begin, last), sign);
+      const std::size_t count = merging.Next - begin;
+      to.Corners.insert(to.Corners.end(), all + begin, all + merging.Next);
+      to.Parents.resize(to.Parents.size() + count);
+      std::iota(to.Parents.end() - static_cast<std::ptrdiff_t>(count), to.Parents.end(), begin);
+      signs.insert(signs.end(), count, sign);
+      merging.Sums[this->Pair.IsOfSource(begin)].Add(
+        this->Pair.SumAreas(begin, merging.Next), sign);
     }
-    begin = last;
   }
 }
 
@@ -294,7 +314,6 @@ SkdNearBoundary SkdNearArrangement::Select(
 {
   const SkdFacets& facets = this->Part.Facets;
   const SkdFacetSigns signs = this->FindSigns(rule);
-  const SkdFaceSets before = faces;
   std::optional<SkdRoundedFacets> joined;
   if (joins)
   {
@@ -312,7 +331,7 @@ SkdNearBoundary SkdNearArrangement::Select(
     : this->Merge(facets, signs, rule);
   if (mayConcernOthers)
   {
-    faces = before;
+    faces.Separate(); // as they were: each triangle is a cell (SkdRigidPair)
     auto all = SkdJoinPieces(this->Whole, boundary.Facets.Facets, boundary.Facets.Signs, {}, faces);
     if (all)
     {

@@ -10,6 +10,7 @@
 
 #include "Solids/Boolean/SkdBadEdges.h"
 #include "Solids/Boolean/SkdFaceSets.h"
+#include "Solids/Boolean/SkdNearSides.h"
 #include "Solids/Boolean/SkdRigidPair.h"
 #include "Solids/Boolean/SkdRoundedFacets.h"
 
@@ -52,6 +53,7 @@ public:
 
 private:
   class SignCache;
+  struct Merging;
 
   SkdNearArrangement(const SkdRigidPair& pair, const SkdPlacement& placement)
     : Pair(pair)
@@ -65,8 +67,8 @@ private:
   SkdBadEdges FindBadEdges(const SkdFacetSigns& signs) const;
   SkdNearBoundary Merge(
     const SkdFacets& facets, const SkdFacetSigns& signs, const SkdBooleanRule& rule) const;
-  void AddWhole(std::uint32_t first, std::uint32_t end, SignCache& cache, SkdRoundedFacets& to,
-    std::array<SkdAreaSum, 2>& sums) const;
+  void AddWhole(std::uint32_t end, Merging& merging) const;
+  std::pair<std::uint32_t, int> KindOf(std::uint32_t triangle) const;
   std::vector<SkdSplitPoint> PointsOfWhole(std::vector<SkdSplitPoint> points) const;
   SkdBoundaryMeasures Measure(const SkdFacets& facets, const SkdFacetSigns& signs,
     const std::array<SkdAreaSum, 2>& others) const;
@@ -79,8 +81,7 @@ private:
   SkdTriangleSet Set;                   // of these
   std::optional<SkdPlacement> Placement;
   SkdArrangedPart Part;
-  std::vector<int> OtherAt; // facets of the part: how often the other surface winds around them
-  std::vector<int> OtherOf; // triangles of the whole, the same, of those that are not in the part
+  SkdNearSides Sides;
 };
 }
 

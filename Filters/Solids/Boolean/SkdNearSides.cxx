@@ -28,13 +28,21 @@ public:
     , Triangles(triangles)
     , Points(points)
     , Part(part)
-    , OfTriangles(pair.GetSet().GetTriangles().size(), Unknown)
-    , HasNear(pair.GetNumberOfClusters(), false)
+    , OfClusters(pair.GetNumberOfClusters(), Unknown)
+    , OfTriangles(pair.GetSet().GetTriangles().size())
   {
     for (const std::uint32_t triangle : triangles)
     {
+      int& ofCluster = this->OfClusters[pair.GetClusterOf(triangle)];
+      if (ofCluster != Near)
+      {
+        ofCluster = Near;
+        for (const std::uint32_t other : pair.GetTrianglesOfCluster(pair.GetClusterOf(triangle)))
+        {
+          this->OfTriangles[other] = Unknown;
+        }
+      }
       this->OfTriangles[triangle] = Near;
-      this->HasNear[pair.GetClusterOf(triangle)] = true;
     }
   }
 
@@ -49,6 +57,7 @@ public:
     {
       sides.OfFacets.push_back(this->OfPatches[patch]);
     }
+    sides.OfClusters = std::move(this->OfClusters);
     sides.OfTriangles = std::move(this->OfTriangles);
     return sides;
   }
@@ -62,6 +71,12 @@ private:
 
     bool operator<(const Link& other) const { return this->Triangle < other.Triangle; }
   };
+
+  int NumberOf(std::uint32_t triangle) const
+  {
+    const int ofCluster = this->OfClusters[this->Pair.GetClusterOf(triangle)];
+    return ofCluster == Near ? this->OfTriangles[triangle] : ofCluster;
+  }
 
   std::uint32_t TriangleOf(std::uint32_t facet) const
   {
@@ -86,7 +101,7 @@ private:
         else if (last - first == 1)
         {
           const std::uint32_t beyond = this->FindBeyond(low, *first);
-          isFit = isFit && beyond != SkdRigidPair::None && this->OfTriangles[beyond] != Near;
+          isFit = isFit && beyond != SkdRigidPair::None && this->NumberOf(beyond) != Near;
           this->Links.push_back({ beyond, first->Triangle });
         }
       });
@@ -202,11 +217,11 @@ private:
   }
   bool SetTriangle(std::uint32_t triangle, int number)
   {
-    if (this->OfTriangles[triangle] == Unknown)
+    if (this->NumberOf(triangle) == Unknown)
     {
       this->OpenTriangle(triangle, number);
     }
-    return this->OfTriangles[triangle] == number;
+    return this->NumberOf(triangle) == number;
   }
   ///@}
 
@@ -214,16 +229,13 @@ private:
   void OpenTriangle(std::uint32_t triangle, int number)
   {
     const std::uint32_t cluster = this->Pair.GetClusterOf(triangle);
-    if (this->HasNear[cluster])
+    if (this->OfClusters[cluster] == Near)
     {
       this->OfTriangles[triangle] = number;
       this->OpenTriangles.push_back(triangle);
       return;
     }
-    for (const std::uint32_t other : this->Pair.GetTrianglesOfCluster(cluster))
-    {
-      this->OfTriangles[other] = number;
-    }
+    this->OfClusters[cluster] = number;
     this->OpenClusters.push_back(cluster);
   }
 
@@ -261,19 +273,23 @@ private:
   /// Beside clusters with triangles that are near, each triangle is looked at.
   bool SpreadFromCluster(std::uint32_t cluster)
   {
-    const auto triangles = this->Pair.GetTrianglesOfCluster(cluster);
-    const int number = this->OfTriangles[triangles[0]];
+    const int number = this->OfClusters[cluster];
     bool isFit = true;
     bool isBesideNear = false;
     for (const std::uint32_t other : this->Pair.GetClustersBeside(cluster))
     {
-      isBesideNear = isBesideNear || this->HasNear[other];
-      isFit = isFit &&
-        (this->HasNear[other] ||
-          this->SetTriangle(this->Pair.GetTrianglesOfCluster(other)[0], number));
+      int& known = this->OfClusters[other];
+      if (known == Unknown)
+      {
+        known = number;
+        this->OpenClusters.push_back(other);
+      }
+      isBesideNear = isBesideNear || known == Near;
+      isFit = isFit && (known == Near || known == number);
     }
     if (isBesideNear)
     {
+      const auto triangles = this->Pair.GetTrianglesOfCluster(cluster);
       this->OpenTriangles.insert(this->OpenTriangles.end(), triangles.begin(), triangles.end());
     }
     return isFit;
@@ -281,12 +297,12 @@ private:
 
   bool SpreadFrom(std::uint32_t triangle)
   {
-    const int number = this->OfTriangles[triangle];
+    const int number = this->NumberOf(triangle);
     bool isFit = true;
     bool isBesidePatch = false;
     for (const std::uint32_t other : this->Pair.GetNeighbours(triangle))
     {
-      const int known = this->OfTriangles[other];
+      const int known = this->NumberOf(other);
       if (known == Unknown)
       {
         this->OpenTriangle(other, number);
@@ -313,7 +329,7 @@ private:
     std::vector<bool> isKnown(this->Pair.GetComponents().size(), true);
     for (std::uint32_t component = 0; component < isKnown.size(); ++component)
     {
-      isKnown[component] = this->OfTriangles[this->Pair.GetTrianglesOf(component)[0]] != Unknown;
+      isKnown[component] = this->NumberOf(this->Pair.GetTrianglesOf(component)[0]) != Unknown;
     }
     for (std::uint32_t facet = 0; facet < this->PatchOf.size(); ++facet)
     {
@@ -345,7 +361,13 @@ private:
     this->Numbers[component] = number;
     for (const std::uint32_t triangle : triangles)
     {
-      int& known = this->OfTriangles[triangle];
+      const std::uint32_t cluster = this->Pair.GetClusterOf(triangle); // of one component
+      const bool hasNear = this->OfClusters[cluster] == Near;
+      if (!hasNear && this->Pair.GetTrianglesOfCluster(cluster)[0] != triangle)
+      {
+        continue; // it is set once
+      }
+      int& known = hasNear ? this->OfTriangles[triangle] : this->OfClusters[cluster];
       if (known != Near && known != Unknown)
       {
         return false;
@@ -445,10 +467,10 @@ private:
   std::vector<Link> Links;            // by triangles
   skd::IndexRows LinksOf;             // of each patch: triangles
   std::vector<int> OfPatches;
-  std::vector<int> OfTriangles;
+  std::vector<int> OfClusters; // see SkdNearSides
+  skd::RawVector<int> OfTriangles;
   std::vector<int> Numbers; // of components that lines tell
   std::vector<std::uint32_t> OpenPatches;
-  std::vector<bool> HasNear; // clusters
   std::vector<std::uint32_t> OpenClusters;
   std::vector<std::uint32_t> OpenTriangles;
   std::array<std::vector<std::uint32_t>, 2> All; // triangles of each surface, if they are crossed

@@ -13,7 +13,8 @@ struct SkdNearSides
   static constexpr int Near = std::numeric_limits<int>::max(); ///< of a triangle that is arranged
 
   std::vector<int> OfFacets;
-  std::vector<int> OfTriangles;
+  std::vector<int> OfClusters;     ///< of a pair; of those with such a triangle Near
+  skd::RawVector<int> OfTriangles; ///< that are in clusters with one; of others nothing
 };
 
 /// Of a pair of which some triangles are arranged: `triangles` and `points` are what the facets of

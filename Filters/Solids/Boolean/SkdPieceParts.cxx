@@ -4,11 +4,45 @@
 
 #include "Solids/Boolean/SkdRoundedPlane.h"
 
+#include <numeric>
+
 namespace skdtree
 {
 namespace
 {
 using Corners = SkdTriangleSet::Corners;
+
+/// Items, ascending. They are so by their points first, of which few items have each: they are
+/// dealt out to these, and then sorted there.
+template <class Item, class PointOf>
+std::vector<Item> SortByPoint(
+  std::vector<Item> items, std::size_t numberOfPoints, const PointOf& pointOf)
+{
+  constexpr std::size_t mostPoints = 4; // for each item, else to look at all takes longer
+  if (numberOfPoints > mostPoints * items.size())
+  {
+    std::sort(items.begin(), items.end());
+    return items;
+  }
+  std::vector<std::uint32_t> ends(numberOfPoints + 1, 0);
+  for (const Item& item : items)
+  {
+    ++ends[pointOf(item) + 1];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Item> sorted(items);
+  for (const Item& item : items)
+  {
+    sorted[ends[pointOf(item)]++] = item;
+  }
+  std::size_t begin = 0;
+  for (const std::uint32_t end : ends)
+  {
+    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begin), sorted.begin() + end);
+    begin = end;
+  }
+  return sorted;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -95,16 +129,19 @@ void SkdPieceParts::ListPieces()
 
 void SkdPieceParts::ListUses()
 {
-  this->Uses.reserve(3 * this->Pieces.size());
+  std::vector<Use> uses;
+  uses.reserve(3 * this->Pieces.size());
   for (std::uint32_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
     const Corners& corners = this->Facets.Corners[this->Pieces[piece]];
     for (std::size_t i = 0; i < 3; ++i)
     {
-      this->Uses.emplace_back(corners[i], corners[(i + 1) % 3], piece);
+      uses.emplace_back(corners[i], corners[(i + 1) % 3], piece);
     }
   }
-  std::sort(this->Uses.begin(), this->Uses.end());
+  const std::size_t points = this->Set.GetPoints().size() + this->Facets.NewPoints.size();
+  this->Uses =
+    SortByPoint(std::move(uses), points, [](const Use& use) { return use.GetEnd(true); });
 }
 
 template <class Visit>
@@ -172,7 +209,9 @@ void SkdPieceParts::FindBorder()
 {
   this->Border.clear();
   this->ForEachEdge([this](const Use* first, const Use* last) { this->AddBorder(first, last); });
-  std::sort(this->Border.begin(), this->Border.end());
+  const std::size_t points = this->Set.GetPoints().size() + this->Facets.NewPoints.size();
+  this->Border =
+    SortByPoint(std::move(this->Border), points, [](const BorderEdge& edge) { return edge.From; });
   const auto count =
     static_cast<std::size_t>(*std::max_element(this->PartOf.begin(), this->PartOf.end())) + 1;
   this->PiecesOf = skd::IndexRows(count,

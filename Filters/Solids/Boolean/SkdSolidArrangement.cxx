@@ -180,7 +180,7 @@ bool SkdSolidArrangement::Update(const SkdBooleanBlocks& blocks, double chordalD
   this->WasSplit = *hasChanged;
   const auto findFaces = [&]
   {
-    this->Faces = SkdFaceSets(*this->Placement, blocks.All, SkdBooleanNames::Face,
+    this->Faces.Update(*this->Placement, blocks.All, SkdBooleanNames::Face,
       { std::begin(SkdBooleanNames::All), std::end(SkdBooleanNames::All) });
   };
   if (this->Near)

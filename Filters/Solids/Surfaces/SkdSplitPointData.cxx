@@ -22,6 +22,10 @@ void SkdSplitPointData::Gather(
   {
     arrays.Take(to, at->Block, at->Id);
   }
+  else
+  {
+    arrays.Clear(to);
+  }
 }
 
 const SkdTriangleSet::Origin* SkdSplitPointData::FindOrigin(std::uint32_t point) const
@@ -48,6 +52,7 @@ void SkdSplitPointData::Interpolate(
     const Origin* at = std::lower_bound(origins.begin(), origins.end(), Origin{ block, 0 });
     if (at == origins.end() || at->Block != block)
     {
+      arrays.Clear(to);
       return;
     }
     ids->SetId(i, at->Id);

@@ -24,24 +24,18 @@ public:
 
   /// Sets tuple `to` of gathered arrays for a point, of the set or counted on a new one: what the
   /// first data set has at it, or the mean of the corners of a new point's triangle, as its data
-  /// set has them. Other tuples, of points that no data set has, stay as they are. `ids` is scratch
+  /// set has them. Other tuples, of points that no data set has, are cleared. `ids` is scratch
   /// space of a thread. Thread-safe for distinct `to`.
   void Gather(std::uint32_t point, vtkIdType to, SkdArrayGather& arrays, vtkIdList* ids) const;
 
   /// Where the data of a point come from; nullptr of a new point, and of one that no data set has.
   const SkdTriangleSet::Origin* FindOrigin(std::uint32_t point) const;
 
-  /// Whether they come from a point of a block.
-  bool IsFrom(std::uint32_t point, int block, vtkIdType id) const
+  /// How many points from one on follow each other in their data set, too; 1 if it has none.
+  /// Without others between them, for they are ascending.
+  std::uint32_t CountAlike(std::uint32_t point) const
   {
-    if (point >= this->Origins.size())
-    {
-      return false;
-    }
-    const auto origins = this->Origins[point];
-    const SkdTriangleSet::Origin* const origin =
-      origins.size() == 1 && origins[0].Id >= 0 ? &origins[0] : this->FindOrigin(point);
-    return origin && origin->Block == block && origin->Id == id;
+    return point < this->Origins.size() ? this->Set.CountInRun(point) : 1;
   }
 
 private:

@@ -6,6 +6,7 @@
 #include "Bodies/SkdWeld.h"
 #include "Cells/Read/SkdForEach.h"
 #include "Cells/Search/SkdBuildTree.h"
+#include "Core/Geometry/MarkedNumbers.h"
 #include "Core/Search/Tree/LazyTree.h"
 #include "Solids/Surfaces/SkdPointFilter.h"
 #include "vtkSMPTools.h"
@@ -108,23 +109,22 @@ SkdTriangleSet SkdTriangleSet::Subset(
   to.LeastArea = this->Read.LeastArea;
   to.LeastCoordinate = this->Read.LeastCoordinate;
   to.TinyPoints = this->Read.TinyPoints;
-  points.clear();
+  skd::MarkedNumbers marked(this->Read.Points.size());
   for (const std::uint32_t triangle : triangles)
   {
-    const Corners& corners = this->Read.Triangles[triangle];
-    points.insert(points.end(), corners.begin(), corners.end());
+    for (const std::uint32_t corner : this->Read.Triangles[triangle])
+    {
+      marked.Mark(corner);
+    }
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  points = marked.List();
+  skd::RawVector<std::uint32_t> numbers(this->Read.Points.size()); // of these
+  to.Points.reserve(points.size());
   for (const std::uint32_t point : points)
   {
+    numbers[point] = static_cast<std::uint32_t>(to.Points.size());
     to.Points.push_back(this->Read.Points[point]);
   }
-  const auto numberOf = [&points](std::uint32_t point)
-  {
-    return static_cast<std::uint32_t>(
-      std::lower_bound(points.begin(), points.end(), point) - points.begin());
-  };
   std::uint32_t last = 0; // cell
   for (const std::uint32_t triangle : triangles)
   {
@@ -136,7 +136,7 @@ SkdTriangleSet SkdTriangleSet::Subset(
     }
     last = cell;
     to.CellOf.push_back(static_cast<std::uint32_t>(to.Cells.size() - 1));
-    to.Triangles.push_back({ numberOf(a), numberOf(b), numberOf(c) });
+    to.Triangles.push_back({ numbers[a], numbers[b], numbers[c] });
   }
   return some;
 }
@@ -147,15 +147,21 @@ bool SkdTriangleSet::PlacePoints(std::uint32_t first, const PointList& from,
 {
   skd::Box3 box;
   double least = extents.LeastCoordinate;
-  bool areFinite = true;
+  double zero = 0.0; // not a number if a coordinate is not finite
+  skd::Vector3* const to = this->Read.Points.data() + first;
+  const skd::RigidMotion by = motion; // not where the points are written, for the compiler
   for (std::size_t i = 0; i < from.size(); ++i)
   {
-    const skd::Vector3 point = motion.Forward(from[i]);
-    this->Read.Points[first + i] = point;
+    const skd::Vector3 point = by.Forward(from[i]);
+    to[i] = point;
     box.Add(point);
-    least = SkdLeastCoordinateOf(least, point);
-    areFinite = areFinite && skd::IsFinite(point);
+    zero += (point[0] - point[0]) + (point[1] - point[1]) + (point[2] - point[2]);
+    if (std::min({ std::abs(point[0]), std::abs(point[1]), std::abs(point[2]) }) < least)
+    {
+      least = SkdLeastCoordinateOf(least, point);
+    }
   }
+  const bool areFinite = zero == 0.0;
   bounds = box;
   box.Add(extents.Bounds.Min);
   box.Add(extents.Bounds.Max);
@@ -304,7 +310,29 @@ const skd::Rows<SkdTriangleSet::Origin>& SkdTriangleSet::GetOrigins() const
     });
   origins.SortEach([](std::size_t n, const auto& body) { SkdForEach(n, body); });
   this->Origins = std::move(origins);
+  this->FindRuns();
   return this->Origins;
+}
+
+//------------------------------------------------------------------------------
+void SkdTriangleSet::FindRuns() const
+{
+  const auto n = static_cast<std::uint32_t>(this->Origins.size());
+  this->EndsOfRuns.clear();
+  Origin next{ 0, -1 }; // of the run, if it goes on
+  for (std::uint32_t point = 0; point < n; ++point)
+  {
+    const auto origins = this->Origins[point];
+    const Origin* const at = std::find_if(
+      origins.begin(), origins.end(), [](const Origin& origin) { return origin.Id >= 0; });
+    const bool isGiven = at != origins.end();
+    if (point > 0 && !(isGiven && at->Block == next.Block && at->Id == next.Id))
+    {
+      this->EndsOfRuns.push_back(point);
+    }
+    next = isGiven ? Origin{ at->Block, at->Id + 1 } : Origin{ 0, -1 };
+  }
+  this->EndsOfRuns.push_back(n);
 }
 
 //------------------------------------------------------------------------------

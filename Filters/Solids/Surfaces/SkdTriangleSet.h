@@ -68,7 +68,8 @@ public:
 
   /// Some triangles, ascending, as a set of their own, with the points that they have in the same
   /// order (`points`: in this set) and the extents of all: placements and thresholds are the same,
-  /// and so is what depends on the order of triangles and points. O(n log n) for n of them.
+  /// and so is what depends on the order of triangles and points. O(n) for n of them, and a bit for
+  /// each point of this set.
   SkdTriangleSet Subset(
     const std::vector<std::uint32_t>& triangles, std::vector<std::uint32_t>& points) const;
 
@@ -162,6 +163,13 @@ public:
   /// first call, as most points have one origin; they are kept. Not thread-safe.
   const skd::Rows<Origin>& GetOrigins() const;
 
+  /// How many points from one on follow each other in one data set, too, by the first origin of
+  /// each that a data set has; 1 if it has none. GetOrigins() comes first.
+  std::uint32_t CountInRun(std::uint32_t point) const
+  {
+    return *std::upper_bound(this->EndsOfRuns.begin(), this->EndsOfRuns.end(), point) - point;
+  }
+
   /// Faces that have points that are not finite, or fewer than three different ones.
   vtkIdType GetNumberOfFacesLeftOut() const { return this->Read.LeftOut; }
 
@@ -181,6 +189,7 @@ public:
 
 private:
   void BuildTree();
+  void FindRuns() const;
 
   SkdBlockSnapshots Meshes;
   double ChordalLength = 0.0;
@@ -189,10 +198,11 @@ private:
   bool IsRead = false;
   bool IsMerged = false;
   bool AreCopiesKnown = false;
-  std::vector<SkdDuplicate> Copies;             // that are not searched
-  std::vector<std::uint32_t> Searched;          // the others, if there are copies
-  mutable skd::Rows<Origin> Origins;            // of each point, once they are asked for
-  std::unique_ptr<const skd::LazyTree<3>> Tree; // of a complete set
+  std::vector<SkdDuplicate> Copies;              // that are not searched
+  std::vector<std::uint32_t> Searched;           // the others, if there are copies
+  mutable skd::Rows<Origin> Origins;             // of each point, once they are asked for
+  mutable std::vector<std::uint32_t> EndsOfRuns; // of points, see CountInRun
+  std::unique_ptr<const skd::LazyTree<3>> Tree;  // of a complete set
 };
 }
 
