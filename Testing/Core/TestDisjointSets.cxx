@@ -46,6 +46,22 @@ TEST(DisjointSets, AreThoseOfRewrittenLabels)
   EXPECT_EQ(sets.Number(), numbers);
 }
 
+TEST(DisjointSets, AreApartOnceAllOfOneAreTakenOut)
+{
+  skd::DisjointSets<> sets(9);
+  for (const std::uint32_t i : { 7u, 3u, 5u })
+  {
+    sets.Unite(i, 1);
+  }
+  sets.Unite(2, 8);
+  sets.Find(7);
+  for (const std::uint32_t i : { 1u, 3u, 5u, 7u })
+  {
+    sets.TakeOut(i);
+  }
+  EXPECT_EQ(sets.Representatives(), (std::vector<std::uint32_t>{ 0, 1, 2, 3, 4, 5, 6, 7, 2 }));
+}
+
 TEST(DisjointSets, OfNothingAreNone)
 {
   skd::DisjointSets<int> sets(0);
