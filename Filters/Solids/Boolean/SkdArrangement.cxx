@@ -220,6 +220,8 @@ std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlace
 {
   SkdPairSearch search;
   search.Among = among;
+  bool areMore = false;
+  search.AreMore = &areMore;
   if (!cache)
   {
     search.Most = most;
@@ -246,9 +248,9 @@ std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlace
     }
     return std::nullopt;
   }
-  if (pairs->size() > search.Most)
+  if (areMore)
   {
-    return SkdSelfPairs{ *std::move(pairs), {}, true };
+    return SkdSelfPairs{ {}, {}, true };
   }
   if (mayKeep && !areKnown)
   {
@@ -304,7 +306,7 @@ std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement, const Sk
 {
   const std::vector<SkdTrianglePair>& pairs = found.Pairs;
   const SkdContactPoints contacts(placement, pairs);
-  const SkdSplitSegments segments(placement, pairs, contacts, mostEvents);
+  SkdSplitSegments segments(placement, pairs, contacts, mostEvents);
   if (segments.IsTooMany())
   {
     return SkdArrangement{ {}, {}, 0, 0, true };
@@ -316,6 +318,7 @@ std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement, const Sk
   }
   SkdSplitResult& split = *done;
   SkdOverlaps overlaps = SkdFindOverlaps(pairs, contacts, segments, split);
+  segments.ForgetSegments();
   if (!found.Duplicates.empty())
   {
     overlaps.Add(found.Duplicates, split);

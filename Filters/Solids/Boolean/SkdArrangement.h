@@ -39,9 +39,9 @@ struct SkdArrangement
 /// of which only the first are among the pairs.
 struct SkdSelfPairs
 {
-  std::vector<SkdTrianglePair> Pairs;
+  std::vector<SkdTrianglePair> Pairs;   ///< none if there are more than were wanted
   std::vector<SkdDuplicate> Duplicates; ///< ascending
-  bool AreSome = false;                 ///< there are more than were wanted
+  bool AreSome = false;                 ///< whether there are
 };
 
 /// What is cached of a set while its first triangles stay where they are and the others are moved:

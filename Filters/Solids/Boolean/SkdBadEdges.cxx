@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdBadEdges.h"
 
+#include "Bodies/SkdEdgeTable.h"
+
 #include <algorithm>
 #include <map>
 
@@ -33,6 +35,27 @@ void Add(SkdBadEdges& bad, std::uint32_t low, std::uint32_t high, const Passes& 
     bad.First = { low, high };
   }
   bad.Open += passes.Count == 1;
+}
+
+SkdBadEdges FindBadEdges(const skd::EdgeTable<>& edges, const std::vector<signed char>& signs)
+{
+  SkdBadEdges bad;
+  edges.ForEach(
+    [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
+    {
+      int sum = 0;
+      for (const SkdEdgeUse* use = first; use != last; ++use)
+      {
+        sum += use->IsForward ? signs[use->Triangle] : -signs[use->Triangle];
+      }
+      if (sum != 0)
+      {
+        const auto count = std::count_if(
+          first, last, [&signs](const SkdEdgeUse& use) { return signs[use.Triangle] != 0; });
+        Add(bad, low, first->High, { sum, static_cast<int>(count) });
+      }
+    });
+  return bad;
 }
 }
 
@@ -72,22 +95,23 @@ std::vector<SkdBadEdges> SkdFindBadEdges(const SkdFacets& facets,
 
 SkdBadEdges SkdFindBadEdges(const SkdFacets& facets, const std::vector<signed char>& signs)
 {
-  SkdBadEdges bad;
-  facets.Edges.ForEach(
-    [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
+  return FindBadEdges(facets.Edges, signs);
+}
+
+SkdBadEdges SkdFindBadEdges(
+  const SkdMovedTriangles& set, const SkdFacets& facets, const std::vector<signed char>& signs)
+{
+  std::vector<SkdTriangleSet::Corners> corners;
+  std::vector<signed char> used;
+  for (std::size_t facet = 0; facet < signs.size(); ++facet)
+  {
+    if (signs[facet] != 0)
     {
-      int sum = 0;
-      for (const SkdEdgeUse* use = first; use != last; ++use)
-      {
-        sum += use->IsForward ? signs[use->Triangle] : -signs[use->Triangle];
-      }
-      if (sum != 0)
-      {
-        const auto count = std::count_if(
-          first, last, [&signs](const SkdEdgeUse& use) { return signs[use.Triangle] != 0; });
-        Add(bad, low, first->High, { sum, static_cast<int>(count) });
-      }
-    });
-  return bad;
+      corners.push_back(facets.Corners[facet]);
+      used.push_back(signs[facet]);
+    }
+  }
+  return FindBadEdges(
+    SkdMakeEdgeTable(corners, set.GetPoints().size() + facets.NewPoints.size()), used);
 }
 }

@@ -23,6 +23,10 @@ std::vector<SkdBadEdges> SkdFindBadEdges(const SkdFacets& facets,
 
 /// Of a surface of some facets: `signs` is 1 of those that are in it, -1 reversed, 0 of others.
 SkdBadEdges SkdFindBadEdges(const SkdFacets& facets, const std::vector<signed char>& signs);
+
+/// The same of facets without a table of edges: one is made of those that are in it.
+SkdBadEdges SkdFindBadEdges(
+  const SkdMovedTriangles& set, const SkdFacets& facets, const std::vector<signed char>& signs);
 }
 
 #endif

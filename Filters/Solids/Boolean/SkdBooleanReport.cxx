@@ -184,12 +184,13 @@ void SkdBooleanTotals::Add(
   {
     this->PartVolumes.push_back(measures.Volume);
   }
-  const SkdFacets& facets = boundary.GetUnjoinedFacets(solids.GetArrangement());
-  const SkdBadEdges bad =
-    boundary.Bad ? *boundary.Bad : SkdFindBadEdges(facets, boundary.GetUnjoinedSigns());
+  const SkdBadEdges bad = boundary.Bad
+    ? *boundary.Bad
+    : SkdFindBadEdges(
+        boundary.GetUnjoinedFacets(solids.GetArrangement()), boundary.GetUnjoinedSigns());
   if (bad.Count > 0 && this->Bad.Count == 0)
   {
-    this->FirstBad = solids.TextOf(bad.First, facets);
+    this->FirstBad = solids.TextOf(bad.First, boundary.GetFacets(solids.GetArrangement()));
   }
   this->Bad.Count += bad.Count;
 }

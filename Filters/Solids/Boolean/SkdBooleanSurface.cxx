@@ -151,7 +151,7 @@ public:
     {
       return;
     }
-    const SkdSplitPointData data(this->Set, this->Facets.NewPoints);
+    const SkdSplitPointData data(this->Set, this->Facets.NewPoints.Get());
     const bool areAlike = AreAlike(gather, this->Parts.Blocks.All);
     vtkSMPThreadLocalObject<vtkIdList> ids;
     ForEachRun(n, this->RunsOfPoints,

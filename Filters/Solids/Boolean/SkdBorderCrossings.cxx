@@ -55,14 +55,14 @@ public:
     }
     this->IsAdded.assign(this->Positions.size(), false);
     SkdRoundedFacets split;
-    split.Facets.NewPoints = this->Facets.NewPoints;
-    split.Facets.NewPoints.resize(this->Facets.NewPoints.size() + this->Positions.size());
+    std::vector<SkdSplitPoint> points = this->Facets.NewPoints.Get();
+    points.resize(points.size() + this->Positions.size());
     for (std::uint32_t facet = 0; facet < signs.size(); ++facet)
     {
       if (signs[facet] != 0)
       {
         const std::uint32_t parent = this->Facets.Parents[facet];
-        for (const Corners& piece : this->PiecesOf(facet, split.Facets.NewPoints))
+        for (const Corners& piece : this->PiecesOf(facet, points))
         {
           split.Facets.Corners.push_back(piece);
           split.Facets.Parents.push_back(parent);
@@ -70,6 +70,7 @@ public:
         }
       }
     }
+    split.Facets.NewPoints = std::move(points);
     return split;
   }
 

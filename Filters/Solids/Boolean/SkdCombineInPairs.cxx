@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdCombineInPairs.h"
 
-#include "Bodies/SkdEdgeTable.h"
 #include "Pipeline/SkdLoop.h"
 #include "Solids/Boolean/SkdJoinPieces.h"
 #include "Solids/Boolean/SkdSlivers.h"
@@ -134,6 +133,7 @@ public:
       return false;
     }
     this->Arrangement = *std::move(arrangement);
+    this->Arrangement.Facets.Edges = skd::EdgeTable<>(); // which nobody asks for here
     this->Windings =
       SkdFindWindingNumbers(this->Placement, this->Arrangement, this->Surfaces.GetSurfaces());
     return this->Windings.size() == this->Arrangement.NumberOfRegions;
@@ -149,7 +149,7 @@ public:
     std::optional<SkdRoundedFacets> rounded;
     if (!equal.empty())
     {
-      rounded = SkdUniteEqualPoints(facets, equal, signs, false);
+      rounded = SkdUniteEqualPoints(SkdMakeRounded(facets, signs), equal, false);
     }
     SkdRemoveSlivers(this->Placement, facets, signs, rounded);
     if (!rounded)
@@ -375,6 +375,7 @@ SkdRoundedFacets MakeFacets(const SkdPlacement& placement, const Surface& surfac
     [&](std::uint32_t a, std::uint32_t b) { return surface.Parents[a] < surface.Parents[b]; });
   SkdRoundedFacets rounded;
   SkdFacets& facets = rounded.Facets;
+  std::vector<SkdSplitPoint> points;
   std::vector<std::uint32_t> numbers(surface.NewPoints.size(), None);
   for (const std::uint32_t i : order)
   {
@@ -386,8 +387,8 @@ SkdRoundedFacets MakeFacets(const SkdPlacement& placement, const Surface& surfac
         std::uint32_t& number = numbers[corner - given];
         if (number == None)
         {
-          number = static_cast<std::uint32_t>(given + facets.NewPoints.size());
-          facets.NewPoints.push_back(SkdPointIn(
+          number = static_cast<std::uint32_t>(given + points.size());
+          points.push_back(SkdPointIn(
             set, surface.Parents[i], placement.Scale * surface.NewPoints[corner - given]));
         }
         corner = number;
@@ -401,7 +402,7 @@ SkdRoundedFacets MakeFacets(const SkdPlacement& placement, const Surface& surfac
     facets.Parents.push_back(surface.Parents[i]);
     rounded.Signs.push_back(surface.Signs[i]);
   }
-  facets.Edges = SkdMakeEdgeTable(facets.Corners, given + facets.NewPoints.size());
+  facets.NewPoints = std::move(points);
   return rounded;
 }
 
@@ -433,16 +434,18 @@ std::optional<SkdCombinedSolids> SkdCombineInPairs(const SkdPlacement& placement
   const std::size_t count = operands.Groups[0].size() + operands.Groups[1].size();
   Progress progress{ static_cast<double>(areUnited ? count : 2 * count) };
   SolidTree tree(set, faces, RuleOfTwo(operands.Within, rule), filter, progress);
-  const std::unique_ptr<Step> last = tree.Combine(operands.Groups);
+  std::unique_ptr<Step> last = tree.Combine(operands.Groups);
   if (!last)
   {
     return std::nullopt;
   }
   const SkdBooleanRule ofTwo = RuleOfTwo(rule.Operation, rule);
   const Surface result = last->Select(ofTwo, tree.NumberFolded);
-  SkdCombinedSolids combined{ MakeFacets(placement, result),
+  SkdCombinedSolids combined{ {},
     { MeasureOperand(*last, ofTwo, 0), MeasureOperand(*last, ofTwo, 1) },
     MeasureUnion(*last, ofTwo), tree.NumberSplit };
+  last.reset();
+  combined.Boundary = MakeFacets(placement, result);
   combined.Boundary.NumberFolded = tree.NumberFolded;
   if (!areUnited)
   {

@@ -9,6 +9,7 @@
 #define SkdFacets_h
 
 #include "Core/Geometry/EdgeTable.h"
+#include "Solids/Boolean/SkdNewPoints.h"
 #include "Solids/Boolean/SkdOverlaps.h"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ struct SkdFacets
   std::vector<SkdTriangleSet::Corners> Corners;
   std::vector<std::uint32_t> Parents; ///< the lowest triangle that each is a piece of
   std::vector<SkdFacetLayer> Layers;  ///< the others, by ascending facet
-  std::vector<SkdSplitPoint> NewPoints;
+  SkdNewPoints NewPoints;
   skd::EdgeTable<> Edges;
 
   SkdFacets() = default;

@@ -78,6 +78,7 @@ public:
     }
     this->FindStraight();
     this->TriangulateAll();
+    this->Parts.ForgetBorders();
     const bool isAnyNew = std::any_of(
       this->MadeOf.begin(), this->MadeOf.end(), [](const Made& made) { return made.IsMade; });
     return isAnyNew ? std::make_optional(this->Gather()) : std::nullopt;
@@ -456,10 +457,14 @@ Joined JoinOnce(const SkdPlacement& placement, const SkdFacets& facets, const Sk
 
 std::optional<SkdRoundedFacets> SkdJoinPieces(const SkdPlacement& placement,
   const SkdFacets& facets, const SkdFacetSigns& signs, const std::vector<std::uint32_t>& origins,
-  SkdFaceSets& faces)
+  SkdFaceSets& faces, SkdRoundedFacets* given)
 {
   constexpr int most = 16; // times: a part is made one with one other at a time
   Joined joined = JoinOnce(placement, facets, signs, origins, faces);
+  if (given && joined.Facets)
+  {
+    given->ForgetFacets();
+  }
   for (int time = 1; joined.Facets && joined.IsMore && time < most; ++time)
   {
     Joined again = JoinOnce(placement, joined.Facets->Facets, joined.Facets->Signs, origins, faces);

@@ -24,11 +24,12 @@ namespace skdtree
 ///
 /// The result has the facets of the boundary only, by ascending parent; its facets bound what they
 /// bounded before, to within rounding, and pass each edge as often in both directions. It has no
-/// table of edges. Empty if nothing is to be joined. O(n log n) for the facets of faces that are
-/// cut, and O(n) with a few nanoseconds for others.
+/// table of edges. `given` are the facets, if they are to be forgotten when others take their
+/// place. Empty if nothing is to be joined. O(n log n) for the facets of faces that are cut, and
+/// O(n) with a few nanoseconds for others.
 std::optional<SkdRoundedFacets> SkdJoinPieces(const SkdPlacement& placement,
   const SkdFacets& facets, const SkdFacetSigns& signs, const std::vector<std::uint32_t>& origins,
-  SkdFaceSets& faces);
+  SkdFaceSets& faces, SkdRoundedFacets* given = nullptr);
 }
 
 #endif

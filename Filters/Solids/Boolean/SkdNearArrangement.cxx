@@ -223,7 +223,7 @@ SkdNearBoundary SkdNearArrangement::Merge(
     }
   }
   this->AddWhole(n, merging);
-  merged.Facets.Facets.NewPoints = this->PointsOfWhole(facets.NewPoints);
+  merged.Facets.Facets.NewPoints = this->PointsOfWhole(facets.NewPoints.Get());
   merged.Measures = this->Measure(facets, signs, merging.Sums);
   return merged;
 }

@@ -13,35 +13,33 @@ namespace
 using Corners = SkdTriangleSet::Corners;
 
 /// Items, ascending. They are so by their points first, of which few items have each: they are
-/// dealt out to these, and then sorted there.
-template <class Item, class PointOf>
-std::vector<Item> SortByPoint(
-  std::vector<Item> items, std::size_t numberOfPoints, const PointOf& pointOf)
+/// dealt out to these, and then sorted there. `forEach(add)` calls add(item) for each, the same
+/// again.
+template <class Item, class ForEach, class PointOf>
+std::vector<Item> ListByPoint(
+  std::size_t count, std::size_t numberOfPoints, const ForEach& forEach, const PointOf& pointOf)
 {
   constexpr std::size_t mostPoints = 4; // for each item, else to look at all takes longer
-  if (numberOfPoints > mostPoints * items.size())
+  std::vector<Item> items;
+  if (numberOfPoints > mostPoints * count)
   {
+    items.reserve(count);
+    forEach([&items](const Item& item) { items.push_back(item); });
     std::sort(items.begin(), items.end());
     return items;
   }
   std::vector<std::uint32_t> ends(numberOfPoints + 1, 0);
-  for (const Item& item : items)
-  {
-    ++ends[pointOf(item) + 1];
-  }
+  forEach([&](const Item& item) { ++ends[pointOf(item) + 1]; });
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<Item> sorted(items);
-  for (const Item& item : items)
-  {
-    sorted[ends[pointOf(item)]++] = item;
-  }
-  std::size_t begin = 0;
+  items.resize(count);
+  forEach([&](const Item& item) { items[ends[pointOf(item)]++] = item; });
+  std::ptrdiff_t begin = 0;
   for (const std::uint32_t end : ends)
   {
-    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begin), sorted.begin() + end);
+    std::sort(items.begin() + begin, items.begin() + end);
     begin = end;
   }
-  return sorted;
+  return items;
 }
 }
 
@@ -85,7 +83,16 @@ void SkdPieceParts::Merge(const std::vector<std::pair<std::uint32_t, std::uint32
   {
     part = numbers[part];
   }
+  this->ListUses();
   this->FindBorder();
+}
+
+void SkdPieceParts::ForgetBorders()
+{
+  this->Widths = std::vector<double>();
+  this->Tolerances = std::vector<double>();
+  this->Border = std::vector<BorderEdge>();
+  this->BorderOf = skd::IndexRows();
 }
 
 const SkdPieceParts::BorderEdge* SkdPieceParts::FindNext(
@@ -129,19 +136,18 @@ void SkdPieceParts::ListPieces()
 
 void SkdPieceParts::ListUses()
 {
-  std::vector<Use> uses;
-  uses.reserve(3 * this->Pieces.size());
-  for (std::uint32_t piece = 0; piece < this->Pieces.size(); ++piece)
+  const auto forEach = [this](const auto& add)
   {
-    const Corners& corners = this->Facets.Corners[this->Pieces[piece]];
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::uint32_t piece = 0; piece < this->Pieces.size(); ++piece)
     {
-      uses.emplace_back(corners[i], corners[(i + 1) % 3], piece);
+      const auto [a, b, c] = this->Facets.Corners[this->Pieces[piece]];
+      add(Use(a, b, piece));
+      add(Use(b, c, piece));
+      add(Use(c, a, piece));
     }
-  }
-  const std::size_t points = this->Set.GetPoints().size() + this->Facets.NewPoints.size();
-  this->Uses =
-    SortByPoint(std::move(uses), points, [](const Use& use) { return use.GetEnd(true); });
+  };
+  this->Uses = ListByPoint<Use>(3 * this->Pieces.size(), this->CountPoints(), forEach,
+    [](const Use& use) { return use.GetEnd(true); });
 }
 
 template <class Visit>
@@ -209,9 +215,12 @@ void SkdPieceParts::FindBorder()
 {
   this->Border.clear();
   this->ForEachEdge([this](const Use* first, const Use* last) { this->AddBorder(first, last); });
-  const std::size_t points = this->Set.GetPoints().size() + this->Facets.NewPoints.size();
-  this->Border =
-    SortByPoint(std::move(this->Border), points, [](const BorderEdge& edge) { return edge.From; });
+  this->Uses = std::vector<Use>(); // they are found again where parts are merged
+  const std::size_t border = this->Border.size();
+  const auto forEach = [unsorted = std::move(this->Border)](const auto& add)
+  { std::for_each(unsorted.begin(), unsorted.end(), add); };
+  this->Border = ListByPoint<BorderEdge>(
+    border, this->CountPoints(), forEach, [](const BorderEdge& edge) { return edge.From; });
   const auto count =
     static_cast<std::size_t>(*std::max_element(this->PartOf.begin(), this->PartOf.end())) + 1;
   this->PiecesOf = skd::IndexRows(count,

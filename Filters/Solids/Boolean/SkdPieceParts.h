@@ -40,6 +40,9 @@ public:
   /// Makes the parts of each pair one: they lie in one plane and face opposite ways.
   void Merge(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
 
+  /// Frees all but which pieces each part has.
+  void ForgetBorders();
+
   const std::vector<std::uint32_t>& GetPieces() const { return this->Pieces; } ///< facets
   std::uint32_t GetPartOf(std::uint32_t piece) const { return this->PartOf[piece]; }
   std::size_t GetNumberOfParts() const { return this->PiecesOf.size(); }
@@ -104,6 +107,7 @@ private:
     std::uint32_t Piece; // among those that are looked at
     bool IsForward;      // from the lower end to the higher
 
+    Use() = default;
     Use(std::uint32_t from, std::uint32_t to, std::uint32_t piece)
       : Ends(static_cast<std::uint64_t>(std::min(from, to)) << 32 | std::max(from, to))
       , Piece(piece)
@@ -123,6 +127,10 @@ private:
     }
   };
 
+  std::size_t CountPoints() const
+  {
+    return this->Set.GetPoints().size() + this->Facets.NewPoints.size();
+  }
   void ListPieces();
   void ListUses();
   void FindParts();

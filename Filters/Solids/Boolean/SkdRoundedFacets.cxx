@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdRoundedFacets.h"
 
-#include "Bodies/SkdEdgeTable.h"
 #include "Bodies/SkdWeld.h"
 #include "Solids/Surfaces/SkdPointFilter.h"
 
@@ -148,14 +147,20 @@ std::vector<std::uint32_t> SkdFindEqualPoints(
   return lowest;
 }
 
-SkdRoundedFacets SkdUniteEqualPoints(const SkdFacets& facets,
-  const std::vector<std::uint32_t>& lowest, const SkdFacetSigns& signs, bool keepsOne)
+SkdRoundedFacets SkdMakeRounded(const SkdFacets& facets, const SkdFacetSigns& signs)
 {
   SkdRoundedFacets rounded;
   rounded.Facets.Corners = facets.Corners;
   rounded.Facets.Parents = facets.Parents;
   rounded.Facets.NewPoints = facets.NewPoints;
   rounded.Signs = signs;
+  return rounded;
+}
+
+SkdRoundedFacets SkdUniteEqualPoints(
+  SkdRoundedFacets rounded, const std::vector<std::uint32_t>& lowest, bool keepsOne)
+{
+  const SkdFacetSigns signs = rounded.Signs;
   std::vector<bool> isShared(lowest.size(), false);
   for (std::uint32_t point = 0; point < lowest.size(); ++point)
   {
@@ -180,7 +185,6 @@ SkdRoundedFacets SkdUniteEqualPoints(const SkdFacets& facets,
   {
     rounded.NumberFolded += signs[facet] != rounded.Signs[facet];
   }
-  rounded.Facets.Edges = SkdMakeEdgeTable(rounded.Facets.Corners, lowest.size());
   return rounded;
 }
 }

@@ -23,16 +23,22 @@ std::vector<std::uint32_t> SkdFindEqualPoints(
 /// A boundary whose points of equal coordinates, or nearly, are one. Facets keep their numbers.
 struct SkdRoundedFacets
 {
-  SkdFacets Facets; ///< without layers
+  SkdFacets Facets; ///< without layers and a table of edges
   SkdFacetSigns Signs;
   vtkIdType NumberFolded = 0; ///< facets that are no longer in it
+
+  /// Frees all but how many were folded.
+  void ForgetFacets() { *this = SkdRoundedFacets{ {}, {}, this->NumberFolded }; }
 };
+
+/// A boundary as it is, without a table of edges.
+SkdRoundedFacets SkdMakeRounded(const SkdFacets& facets, const SkdFacetSigns& signs);
 
 /// Facets with equal corners leave the boundary, and facets that are laid on each other face to
 /// face: it passes each edge in both directions as before. With `keepsOne`, for facets that bound
 /// nothing, of those that are laid on each other the first stays. O(n log n).
-SkdRoundedFacets SkdUniteEqualPoints(const SkdFacets& facets,
-  const std::vector<std::uint32_t>& lowest, const SkdFacetSigns& signs, bool keepsOne);
+SkdRoundedFacets SkdUniteEqualPoints(
+  SkdRoundedFacets rounded, const std::vector<std::uint32_t>& lowest, bool keepsOne);
 }
 
 #endif

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdSlivers.h"
 
-#include "Bodies/SkdEdgeTable.h"
 #include "Core/Geometry/DisjointSets.h"
 
 #include <algorithm>
@@ -265,10 +264,7 @@ private:
     {
       points.Unite(edge.first, edge.second);
     }
-    const vtkIdType folded = this->Rounded.NumberFolded;
-    this->Rounded =
-      SkdUniteEqualPoints(facets, points.Representatives(), this->Rounded.Signs, false);
-    this->Rounded.NumberFolded += folded;
+    this->Rounded = SkdUniteEqualPoints(std::move(this->Rounded), points.Representatives(), false);
     return true;
   }
 
@@ -381,23 +377,26 @@ private:
 
   void SortByParent()
   {
-    SkdRoundedFacets from = std::move(this->Rounded);
-    std::vector<std::uint32_t> order(from.Signs.size());
+    const std::vector<std::uint32_t>& parents = this->Rounded.Facets.Parents;
+    std::vector<std::uint32_t> order(parents.size());
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(),
-      [&](std::uint32_t a, std::uint32_t b)
-      { return from.Facets.Parents[a] < from.Facets.Parents[b]; });
-    SkdRoundedFacets& to = this->Rounded;
-    to = { {}, {}, from.NumberFolded };
-    for (const std::uint32_t facet : order)
+      [&parents](std::uint32_t a, std::uint32_t b) { return parents[a] < parents[b]; });
+    Permute(order, this->Rounded.Signs);
+    Permute(order, this->Rounded.Facets.Corners);
+    Permute(order, this->Rounded.Facets.Parents);
+  }
+
+  template <class T>
+  static void Permute(const std::vector<std::uint32_t>& order, std::vector<T>& items)
+  {
+    std::vector<T> permuted;
+    permuted.reserve(order.size());
+    for (const std::uint32_t i : order)
     {
-      to.Facets.Corners.push_back(from.Facets.Corners[facet]);
-      to.Facets.Parents.push_back(from.Facets.Parents[facet]);
-      to.Signs.push_back(from.Signs[facet]);
+      permuted.push_back(items[i]);
     }
-    to.Facets.NewPoints = std::move(from.Facets.NewPoints);
-    to.Facets.Edges = SkdMakeEdgeTable(
-      to.Facets.Corners, this->Set.GetPoints().size() + to.Facets.NewPoints.size());
+    items = std::move(permuted);
   }
 
   const SkdMovedTriangles& Set;
@@ -423,11 +422,7 @@ void SkdRemoveSlivers(const SkdPlacement& placement, const SkdFacets& facets,
   }
   if (!rounded)
   {
-    rounded.emplace();
-    rounded->Facets.Corners = facets.Corners;
-    rounded->Facets.Parents = facets.Parents;
-    rounded->Facets.NewPoints = facets.NewPoints;
-    rounded->Signs = signs;
+    rounded = SkdMakeRounded(facets, signs);
   }
   SliverRemoval(set, *rounded).Run(std::move(slivers));
 }

@@ -205,9 +205,9 @@ bool SkdSolidArrangement::Update(const SkdBooleanBlocks& blocks, double chordalD
   return this->Placement.has_value();
 }
 
-/// False if these solids cannot be combined so; true also after an abort.
+/// False if these solids cannot be combined so; true also after an abort, and pairs are freed.
 bool SkdSolidArrangement::CombineInPairs(const SkdSolids& solids, bool areInputs,
-  const SkdBooleanRule& rule, const SkdSelfPairs& pairs, vtkAlgorithm* filter)
+  const SkdBooleanRule& rule, SkdSelfPairs& pairs, vtkAlgorithm* filter)
 {
   const auto findWithin = [&](const std::vector<std::uint32_t>& pieceOf)
   {
@@ -217,6 +217,7 @@ bool SkdSolidArrangement::CombineInPairs(const SkdSolids& solids, bool areInputs
   };
   if (const auto operands = SkdFindOperands(this->Triangles, solids, areInputs, rule, findWithin))
   {
+    pairs.Pairs = std::vector<SkdTrianglePair>();
     this->Combined = SkdCombineInPairs(*this->Placement, this->Faces, *operands, rule, filter);
   }
   return this->Combined || SkdIsAborted(filter);
@@ -251,7 +252,7 @@ bool SkdSolidArrangement::Arrange(
   }
   SkdLoop splitLoop(filter, 0, 0.6, 0.8, 64);
   std::optional<SkdArrangement> arrangement(SkdArrangement{ {}, {}, 0, 0, true });
-  if (pairs->Pairs.size() <= dense) // else to look at segments would be in vain
+  if (!pairs->AreSome && pairs->Pairs.size() <= dense) // else to look at segments would be in vain
   {
     const std::size_t few = mayCombine ? EventsOfPair * pairs->Pairs.size() + FewEvents : unlimited;
     arrangement = SkdArrange(*this->Placement, *pairs, splitLoop, few, this->Spread != nullptr);
@@ -425,10 +426,19 @@ SkdBooleanBoundary SkdSolidArrangement::Select(
     return { {}, std::move(near.Facets), std::nullopt, near.Bad, near.Measures };
   }
   SkdBooleanBoundary boundary = this->SelectPieces(rule, closesCut);
-  if (joins && rule.Operation != SkdBooleanOperation::Imprint)
+  if (rule.Operation == SkdBooleanOperation::Imprint)
+  {
+    return boundary;
+  }
+  if (boundary.Rounded)
+  {
+    boundary.Bad =
+      SkdFindBadEdges(this->Placement->First, boundary.Rounded->Facets, boundary.Rounded->Signs);
+  }
+  if (joins)
   {
     boundary.Joined = SkdJoinPieces(*this->Placement, boundary.GetFacets(this->Arrangement),
-      boundary.GetSigns(), {}, this->Faces);
+      boundary.GetSigns(), {}, this->Faces, boundary.Rounded ? &*boundary.Rounded : nullptr);
   }
   return boundary;
 }
@@ -455,7 +465,8 @@ SkdBooleanBoundary SkdSolidArrangement::SelectPieces(
   }
   if (!this->EqualPoints.empty())
   {
-    boundary.Rounded = SkdUniteEqualPoints(facets, this->EqualPoints, signs, isImprint);
+    boundary.Rounded =
+      SkdUniteEqualPoints(SkdMakeRounded(facets, signs), this->EqualPoints, isImprint);
   }
   if (!isImprint)
   {

@@ -33,8 +33,10 @@ class SkdTransport;
 /// The faces that an operation keeps.
 struct SkdBooleanBoundary
 {
-  SkdFacetSigns Selected;                  ///< of the arrangement
-  std::optional<SkdRoundedFacets> Rounded; ///< these as they are stored, if that makes a difference
+  SkdFacetSigns Selected; ///< of the arrangement
+  std::optional<SkdRoundedFacets>
+    Rounded; ///< these as they are stored, if that makes a difference; if pieces are joined, how
+             ///< many were folded, only
   std::optional<SkdRoundedFacets>
     Joined; ///< these with pieces of one face joined, if there are any
 
@@ -45,8 +47,8 @@ struct SkdBooleanBoundary
   ///@}
 
   ///@{
-  /// Without pieces joined. They pass edges as often in both directions as what is stored,
-  /// and have a table of them.
+  /// Without pieces joined. They pass edges as often in both directions as what is stored; if `Bad`
+  /// is not known, they have a table of them.
   const SkdFacetSigns& GetUnjoinedSigns() const
   {
     return this->Rounded ? this->Rounded->Signs : this->Selected;
@@ -251,7 +253,7 @@ private:
   bool Arrange(
     const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter);
   bool CombineInPairs(const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule,
-    const SkdSelfPairs& pairs, vtkAlgorithm* filter);
+    SkdSelfPairs& pairs, vtkAlgorithm* filter);
   SkdSolids MakeSolids(const SkdBooleanBlocks& blocks, bool areInputs) const;
   SkdBoundaryMeasures Measure(const SkdFacets& facets, const SkdFacetSigns& signs) const;
   std::optional<SkdSheetFaults> PlaceSheet();

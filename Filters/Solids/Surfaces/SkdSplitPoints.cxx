@@ -75,13 +75,18 @@ SkdSplitPoints::SkdSplitPoints(const SkdContactPoints& contacts, const SkdPlacem
 
 SkdSplitPoints::~SkdSplitPoints()
 {
-  for (const std::atomic<const skd::ExactPoint*>& exact : this->Exact)
-  {
-    delete exact.load();
-  }
+  this->ForgetExact();
   for (const std::atomic<const skd::ClosePoint*>& close : this->Close)
   {
     delete close.load();
+  }
+}
+
+void SkdSplitPoints::ForgetExact() const
+{
+  for (std::atomic<const skd::ExactPoint*>& exact : this->Exact)
+  {
+    delete exact.exchange(nullptr);
   }
 }
 

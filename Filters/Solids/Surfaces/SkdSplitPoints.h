@@ -64,6 +64,9 @@ public:
   }
   double GetError() const { return this->Error; }
 
+  /// Frees all exact positions. They are found again when asked for. Not thread-safe.
+  void ForgetExact() const;
+
   /// That error, for points whose coordinates have magnitudes up to `extent`.
   static double ErrorOf(double extent)
   {

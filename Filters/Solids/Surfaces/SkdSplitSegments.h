@@ -112,6 +112,16 @@ public:
   };
   const Side& GetSide(int side) const { return this->Sides[side]; }
 
+  /// Frees what is no longer asked for once triangles are split: all but points and sets.
+  void ForgetSegments()
+  {
+    this->Segments = std::vector<SkdSplitSegment>();
+    for (Side& side : this->Sides)
+    {
+      side = { side.Set, {}, {}, {} };
+    }
+  }
+
 private:
   struct PairSegment;
 

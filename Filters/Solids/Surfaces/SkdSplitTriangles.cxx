@@ -49,6 +49,11 @@ public:
           this->DoWork(works[i], thread);
         }
       });
+    for (Thread& thread : this->Threads)
+    {
+      thread.Splitter.reset();
+    }
+    this->Segments.GetPoints().ForgetExact(); // few are needed later
     return isDone ? std::make_optional(this->Gather(works, n)) : std::nullopt;
   }
 
@@ -58,6 +63,12 @@ private:
   {
     std::uint32_t Point; // in SkdSplitPoints
     unsigned Edges;
+  };
+
+  /// One that a triangle has made.
+  struct MadePoint
+  {
+    NewPoint At;
     std::uint32_t Triangle;
   };
 
@@ -72,10 +83,16 @@ private:
 
   struct Range
   {
-    std::size_t Begin;
-    std::size_t End;
+    std::uint32_t Begin;
+    std::uint32_t End;
 
     std::size_t GetSize() const { return this->End - this->Begin; }
+
+    template <class T>
+    static std::uint32_t EndOf(const std::vector<T>& items)
+    {
+      return static_cast<std::uint32_t>(items.size());
+    }
   };
 
   /// A triangle, and what it becomes in what its thread made.
@@ -90,10 +107,14 @@ private:
     Range Curves;
   };
 
-  SkdSplitResult Gather(const std::vector<Work>& works, std::size_t n) const
+  SkdSplitResult Gather(const std::vector<Work>& works, std::size_t n)
   {
     SkdSplitResult result;
     const std::vector<std::uint32_t> numbers = this->NumberPoints(works, result);
+    for (Thread& thread : this->Threads)
+    {
+      thread.Points = std::vector<NewPoint>();
+    }
     const auto before = static_cast<std::uint32_t>(this->Side.Set->GetPoints().size());
     const auto number = [&](std::uint32_t corner)
     { return corner < before ? corner : before + numbers[corner - before]; };
@@ -184,9 +205,9 @@ private:
   void DoWork(Work& work, Thread& thread) const
   {
     work.By = &thread;
-    work.Pieces.Begin = thread.Pieces.size();
-    work.Points.Begin = thread.Points.size();
-    work.Curves.Begin = thread.Curves.size();
+    work.Pieces.Begin = Range::EndOf(thread.Pieces);
+    work.Points.Begin = Range::EndOf(thread.Points);
+    work.Curves.Begin = Range::EndOf(thread.Curves);
     const SkdSplitElement* const elements = this->Side.Elements.data();
     thread.Splitter->Split(
       work.Triangle, elements + work.FirstElement, elements + work.EndOfElements, thread.Pieces);
@@ -197,12 +218,12 @@ private:
     {
       if (this->Side.CornerOf[corners[i].Point] == SkdSplitSegments::None)
       {
-        thread.Points.push_back({ corners[i].Point, corners[i].Edges, work.Triangle });
+        thread.Points.push_back({ corners[i].Point, corners[i].Edges });
       }
     }
-    work.Pieces.End = thread.Pieces.size();
-    work.Points.End = thread.Points.size();
-    work.Curves.End = thread.Curves.size();
+    work.Pieces.End = Range::EndOf(thread.Pieces);
+    work.Points.End = Range::EndOf(thread.Points);
+    work.Curves.End = Range::EndOf(thread.Curves);
   }
 
   /// The new points, as the first triangle that has each makes it. Returns their numbers.
@@ -211,7 +232,7 @@ private:
   {
     std::vector<std::uint32_t> numbers(
       this->Segments.GetPoints().GetNumberOfPoints(), SkdSplitSegments::None);
-    std::vector<NewPoint> all;
+    std::vector<MadePoint> all;
     for (const Work& work : works)
     {
       for (std::size_t i = work.Points.Begin; i < work.Points.End; ++i)
@@ -220,7 +241,7 @@ private:
         if (numbers[point.Point] == SkdSplitSegments::None)
         {
           numbers[point.Point] = static_cast<std::uint32_t>(all.size());
-          all.push_back(point);
+          all.push_back({ point, work.Triangle });
         }
       }
     }
@@ -241,10 +262,10 @@ private:
     return numbers;
   }
 
-  SkdSplitPoint Make(const NewPoint& point) const
+  SkdSplitPoint Make(const MadePoint& made) const
   {
     return this->MakePoint(
-      this->Segments.GetPoints().GetPosition(point.Point), point.Edges, point.Triangle);
+      this->Segments.GetPoints().GetPosition(made.At.Point), made.At.Edges, made.Triangle);
   }
 
   /// A point on an edge is a mean of its ends, the same for all triangles that have the edge.

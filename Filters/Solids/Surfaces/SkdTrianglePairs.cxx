@@ -232,14 +232,36 @@ void Add(const std::vector<SkdTrianglePair>& pairs, std::vector<SkdTrianglePair>
 
 constexpr std::size_t PacketsOfPart = 16; // of the search within one surface
 
-/// All that were found, or the lowest.
-std::vector<SkdTrianglePair> Gather(
-  const std::vector<std::vector<SkdTrianglePair>>& found, const SkdPairSearch& search)
+template <class TriangleOf>
+std::vector<skd::Box3> ListBoxes(
+  const SkdMovedTriangles& set, std::size_t count, const TriangleOf& triangleOf)
 {
-  std::vector<SkdTrianglePair> all;
+  std::vector<skd::Box3> boxes(count);
+  SkdForEach(static_cast<vtkIdType>(count),
+    [&](vtkIdType i) { boxes[i] = set.GetBox(triangleOf(static_cast<std::uint32_t>(i))); });
+  return boxes;
+}
+
+/// All that were found, or the lowest; none of more than are wanted.
+std::vector<SkdTrianglePair> Gather(
+  std::vector<std::vector<SkdTrianglePair>> found, const SkdPairSearch& search)
+{
+  std::size_t count = 0;
   for (const std::vector<SkdTrianglePair>& some : found)
   {
+    count += some.size();
+  }
+  std::vector<SkdTrianglePair> all;
+  if (count > search.Most)
+  {
+    *search.AreMore = true;
+    return all;
+  }
+  all.reserve(count);
+  for (std::vector<SkdTrianglePair>& some : found)
+  {
     all.insert(all.end(), some.begin(), some.end());
+    some = {};
   }
   vtkSMPTools::Sort(all.begin(), all.end(), IsBefore);
   all.resize(
@@ -283,14 +305,19 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
   const skd::OverlapParts<3, Tree, Tree, ToFirst, Block> parts(
     first.GetTree(), second.GetTree(), toFirst, enough, blockOf(none), this->Placement.IsOfOne());
   std::vector<std::vector<SkdTrianglePair>> found(parts.size());
+  std::atomic<std::size_t> count{ 0 }; // of pairs, of parts that are done
   loop.SetTotal(enough);
   loop.For(static_cast<vtkIdType>(parts.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
-      parts.Visit(static_cast<std::size_t>(begin), static_cast<std::size_t>(end),
-        blockOf(found[static_cast<std::size_t>(begin)]));
+      for (auto part = static_cast<std::size_t>(begin);
+           part < static_cast<std::size_t>(end) && count <= search.Most; ++part)
+      {
+        parts.Visit(part, part + 1, blockOf(found[part]));
+        count += found[part].size();
+      }
     });
-  return Gather(found, search);
+  return Gather(std::move(found), search);
 }
 
 /// A search in a packed R-tree, in parts. It stops after too many looks: that is for trees; and
@@ -327,10 +354,10 @@ public:
   /// False if these are too many.
   bool Affords(std::size_t looks) { return (this->Looks += looks) <= this->Most; }
 
-  std::optional<std::vector<SkdTrianglePair>> Take(const SkdPairSearch& search) const
+  std::optional<std::vector<SkdTrianglePair>> Take(const SkdPairSearch& search)
   {
     return this->Looks > this->Most ? std::nullopt
-                                    : std::make_optional(Gather(this->Found, search));
+                                    : std::make_optional(Gather(std::move(this->Found), search));
   }
 
 private:
@@ -436,15 +463,12 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersecti
   const std::vector<std::uint32_t>& all = search.Among ? *search.Among : set.GetSearched();
   const std::vector<std::uint32_t>& some = known ? unknown : all;
   const bool areAll = !known && some.empty();
-  std::vector<skd::Box3> boxes(areAll ? set.GetTriangles().size() : some.size());
+  const std::size_t searched = areAll ? set.GetTriangles().size() : some.size();
   const auto triangleOf = [&some, areAll](std::uint32_t i) { return areAll ? i : some[i]; };
-  SkdForEach(static_cast<vtkIdType>(boxes.size()),
-    [&](vtkIdType i)
-    { boxes[i] = this->Placement.First.GetBox(triangleOf(static_cast<std::uint32_t>(i))); });
-  const skd::PackedRTree tree(boxes);
+  const skd::PackedRTree tree(ListBoxes(this->Placement.First, searched, triangleOf));
   const std::size_t count = tree.GetNumberOfPackets();
   Search state(this->Placement, search);
-  PackedSearch parts((count + PacketsOfPart - 1) / PacketsOfPart, boxes.size(), search.Most);
+  PackedSearch parts((count + PacketsOfPart - 1) / PacketsOfPart, searched, search.Most);
   parts.ForEachPart(loop,
     [&](std::size_t part, std::vector<SkdTrianglePair>& found)
     {

@@ -50,9 +50,11 @@ struct SkdPairSearch
   double Clearance = 0.0; ///< before scaling; 0: those that touch, only
 
   ///@{
-  /// Of FindSelfIntersections alone: it may stop when there are more than so many, and then returns
-  /// more; and which triangles are searched, ascending (all but copies left out if nullptr).
+  /// Within one surface: it may stop when there are more than so many, and then returns none, but
+  /// sets `AreMore`; and, of FindSelfIntersections alone, which triangles are searched, ascending
+  /// (all but copies left out if nullptr).
   std::size_t Most = std::numeric_limits<std::size_t>::max();
+  bool* AreMore = nullptr;
   const std::vector<std::uint32_t>* Among = nullptr;
   ///@}
 };
