@@ -10,11 +10,24 @@
 #include "vtkIdList.h"
 #include "vtkPoints.h"
 
-#include <algorithm>
-#include <cstddef>
-
 namespace skdtree
 {
+/// Copies points and their ids one after the other.
+template <class Id, class Number>
+void SkdCopyPoints(
+  const Id* ids, vtkIdType size, const Number* from, vtkIdType* toIds, double* toPoints)
+{
+  for (vtkIdType i = 0; i < size; ++i, toPoints += 3)
+  {
+    const auto id = static_cast<vtkIdType>(ids[i]);
+    const Number* x = from + 3 * id;
+    toIds[i] = id;
+    toPoints[0] = x[0];
+    toPoints[1] = x[1];
+    toPoints[2] = x[2];
+  }
+}
+
 /// Gives a cell that has its type these point ids, which may be its own already, and their points
 /// from an array of points, without a call for each of them. False if the cell's points are not
 /// stored as doubles, as they are unless someone changed that.
@@ -33,14 +46,14 @@ bool SkdFillCell(vtkGenericCell* cell, const Id* ids, vtkIdType size, const skd:
   }
   points->Modified(); // their bounds are others
   double* to = SkdStoredValues<double>(points->GetData());
-  vtkIdType* toId = cellIds->GetPointer(0);
-  for (vtkIdType i = 0; to && i < size; ++i, to += 3)
+  if (!to)
   {
-    const skd::Vector3 x = from.At(static_cast<std::size_t>(ids[i]));
-    toId[i] = static_cast<vtkIdType>(ids[i]);
-    std::copy(x.X, x.X + 3, to);
+    return false;
   }
-  return to;
+  vtkIdType* toIds = cellIds->GetPointer(0);
+  from.Floats ? SkdCopyPoints(ids, size, from.Floats, toIds, to)
+              : SkdCopyPoints(ids, size, from.Doubles, toIds, to);
+  return true;
 }
 }
 
