@@ -239,7 +239,8 @@ bool SkdCellStore::Load(std::uint32_t cell, vtkGenericCell* loaded) const
 //------------------------------------------------------------------------------
 SkdPolyCell SkdCellStore::GatherPoly(std::uint32_t cell) const
 {
-  thread_local std::vector<skd::Vector3> points; // grown to the largest cell met
+  thread_local std::vector<skd::Vector3> kept; // grown to the largest cell met
+  std::vector<skd::Vector3>& points = kept;    // found once: each access to `kept` is a call
   const std::uint32_t* ids = this->PointIdsOf(cell);
   const std::uint32_t size = this->SizeOf(cell);
   points.resize(std::max<std::size_t>(points.size(), size));

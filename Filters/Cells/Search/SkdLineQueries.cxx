@@ -460,7 +460,8 @@ const SkdCrossings& SkdCellTree::FindCrossings(
   const skd::Segment<3>& segment, const SkdCellSource& source) const
 {
   thread_local SkdCrossings crossings;
-  thread_local std::vector<FacetHit> facets;
+  thread_local std::vector<FacetHit> kept;
+  std::vector<FacetHit>& facets = kept; // found once, as that of EmptyList()
   crossings.List.clear();
   crossings.Cells.clear();
   facets.clear();
@@ -476,7 +477,8 @@ const SkdCrossings& SkdCellTree::FindCrossings(
 const std::vector<SkdPass>& SkdCellTree::FindPasses(
   const skd::Segment<3>& segment, const SkdCellSource& source) const
 {
-  thread_local std::vector<SkdPass> passes;
+  thread_local std::vector<SkdPass> kept;
+  std::vector<SkdPass>& passes = kept; // found once, as that of EmptyList()
   passes.clear();
   this->ForEachFacet(segment, source,
     [&](std::uint32_t cell, const Facet& hit, const auto& sideOfPass)

@@ -178,7 +178,8 @@ SkdFoundCell SkdCellTree::FindContaining(
 std::vector<std::pair<double, vtkIdType>>& SkdCellTree::FindNearestCells(
   const skd::Vector3& x, std::size_t number, double limit2, const SkdCellSource& source) const
 {
-  thread_local std::vector<std::pair<double, vtkIdType>> heap; // the farthest on top
+  thread_local std::vector<std::pair<double, vtkIdType>> kept;
+  auto& heap = kept; // the farthest on top; found once: each access to `kept` is a call
   heap.clear();
   if (!SkdHasDistances(x) || !(limit2 >= 0.0) || number == 0)
   {
