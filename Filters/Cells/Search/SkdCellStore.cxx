@@ -191,16 +191,17 @@ void SkdCellStore::Compact()
 }
 
 //------------------------------------------------------------------------------
-// Two points at a time: the processor need not wait for the last two.
 void SkdCellStore::FindBounds()
 {
-  const std::size_t last = this->PointIds.size() - 1;
-  const skd::Box3 box = SkdEnclose(this->PointIds.size() / 2 + 1,
-    [this, last](std::size_t i)
+  static constexpr std::size_t piece = 256;
+  const std::size_t number = this->PointIds.size();
+  const skd::Box3 box = SkdEnclose((number + piece - 1) / piece,
+    [this, number](std::size_t i)
     {
-      const skd::Vector3 first = this->Point(this->PointIds[std::min(2 * i, last)]);
-      const skd::Vector3 second = this->Point(this->PointIds[std::min(2 * i + 1, last)]);
-      return skd::Box3(skd::Least(first, second), skd::Greatest(first, second));
+      const std::size_t first = piece * i;
+      skd::PointBounds bounds;
+      bounds.Add(this->Points, this->PointIds.data() + first, std::min(piece, number - first));
+      return bounds.Box();
     });
   this->Largest = skd::LargestCoordinate(box);
   this->Bounds = box;

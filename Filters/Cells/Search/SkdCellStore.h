@@ -7,6 +7,7 @@
 #include "Cells/Read/SkdMagnitudes.h"
 #include "Core/Geometry/Box.h"
 #include "Core/Geometry/PointArray.h"
+#include "Core/Geometry/PointBounds.h"
 #include "Core/Search/Tree/RawVector.h"
 
 #include "vtkDataArray.h"
@@ -119,6 +120,20 @@ public:
   skd::Box3 ExtentOf(std::uint32_t cell) const
   {
     return this->CurvedExtents.empty() ? this->BoundsOf(cell) : this->CurvedExtentOf(cell);
+  }
+  /// The same for vectors.
+  skd::PointBounds PointBoundsOf(std::uint32_t cell) const
+  {
+    skd::PointBounds bounds;
+    if (this->CurvedExtents.empty())
+    {
+      bounds.Add(this->Points, this->PointIdsOf(cell), this->SizeOf(cell));
+    }
+    else
+    {
+      bounds.Add(this->CurvedExtentOf(cell));
+    }
+    return bounds;
   }
   bool HasCurvedExtents() const { return !this->CurvedExtents.empty(); }
 

@@ -5,6 +5,7 @@
 #include "Cells/Read/SkdForEach.h"
 #include "Cells/Search/SkdBuildTree.h"
 #include "Core/Search/Tree/LazyTree.h"
+#include "Core/Search/Tree/OutwardRounding.h"
 #include "Core/Search/Tree/PaperTree.h"
 
 #include <algorithm>
@@ -83,11 +84,12 @@ skd::ReadInput<3> SkdCellTree::MakeInput(const SkdTreeSettings& settings)
   input.Read = [this, frame = input.Frame](
                  const std::uint32_t* cells, std::size_t count, skd::Element<3>* to)
   {
-    const double margin = 2.0 * this->TheEpsilon;
-    std::transform(cells, cells + count, to,
-      [&](std::uint32_t cell) {
-        return skd::Element<3>{ frame.OutwardWithin(this->Store.ExtentOf(cell), margin), cell };
-      });
+    const skd::OutwardRounding rounding(frame, 2.0 * this->TheEpsilon);
+    for (const std::uint32_t* cell = cells; cell != cells + count; ++cell, ++to)
+    {
+      rounding.Round(this->Store.PointBoundsOf(*cell), to->Box);
+      to->Index = *cell;
+    }
   };
   return input;
 }

@@ -9,8 +9,8 @@
 #define skd_Predicates_Orient3D_h
 
 #include "../Tolerances.h"
+#include "../TwoDoubles.h"
 #include "Expansion.h"
-#include "TwoDoubles.h"
 
 #include <array>
 #include <limits>

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Tree_OutwardRounding_h
+#define skd_Tree_OutwardRounding_h
+
+#include "../../Geometry/PointBounds.h"
+#include "Frame.h"
+
+#include <cstring>
+
+namespace skd
+{
+
+/// Frame::OutwardWithin of many boxes in space, by vectors: the same to the last bit.
+class OutwardRounding
+{
+public:
+  OutwardRounding(const Frame<3>& frame, double margin)
+#if SKD_HAS_DOUBLE_LANES
+    : Centre{ TwoDoubles(-frame.Centre[0], -frame.Centre[1]),
+      TwoDoubles(-frame.Centre[2], frame.Centre[0]), TwoDoubles(frame.Centre[1], frame.Centre[2]) }
+    , Scale(frame.Scale)
+    , Margin(margin)
+  {
+  }
+
+  void Round(const PointBounds& bounds, FloatBox<3>& to) const
+  {
+    const __m128i bits[2] = {
+      NextOf(_mm_movelh_ps(this->Local(bounds, 0), this->Local(bounds, 1))),
+      NextOf(this->Local(bounds, 2)),
+    };
+    const int minus = std::numeric_limits<int>::min(); // the sign of a float
+    const __m128i first = _mm_xor_si128(bits[0], _mm_set_epi32(0, minus, minus, minus));
+    static_assert(sizeof(to) == 6 * sizeof(float));
+    char* bytes = reinterpret_cast<char*>(&to);
+    std::memcpy(bytes, &first, sizeof(first));
+    std::memcpy(bytes + sizeof(first), &bits[1], 2 * sizeof(float));
+  }
+
+private:
+  /// As Frame::Local; of the least coordinates all is negative.
+  __m128 Local(const PointBounds& bounds, int pair) const
+  {
+    const TwoDoubles local =
+      (bounds.GetSides()[pair] + this->Margin - this->Centre[pair]) * this->Scale;
+    return _mm_cvtpd_ps(local.Lanes());
+  }
+
+  /// As Frame::RoundUpInRange.
+  static __m128i NextOf(__m128 values)
+  {
+    const __m128i bits = _mm_castps_si128(_mm_add_ps(values, _mm_setzero_ps()));
+    return _mm_add_epi32(bits, _mm_or_si128(_mm_srai_epi32(bits, 31), _mm_set1_epi32(1)));
+  }
+
+  TwoDoubles Centre[3]; // in the order of PointBounds
+  TwoDoubles Scale;
+  TwoDoubles Margin;
+#else
+    : TheFrame(frame)
+    , Margin(margin)
+  {
+  }
+
+  void Round(const PointBounds& bounds, FloatBox<3>& to) const
+  {
+    to = this->TheFrame.OutwardWithin(bounds.Box(), this->Margin);
+  }
+
+private:
+  Frame<3> TheFrame;
+  double Margin;
+#endif
+};
+
+}
+
+#endif
