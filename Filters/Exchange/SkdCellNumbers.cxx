@@ -47,8 +47,16 @@ public:
   void Number()
   {
     this->LeaveOutRepeated();
-    this->AreByIds ? this->NumberByGlobalIds() : this->NumberInOrder();
+    this->NumberCounted();
   }
+
+  void Number(const std::vector<unsigned char>& counted)
+  {
+    this->Counts = counted;
+    this->NumberCounted();
+  }
+
+  void NumberCounted() { this->AreByIds ? this->NumberByGlobalIds() : this->NumberInOrder(); }
 
   std::vector<unsigned char> FindCounted()
   {
@@ -288,6 +296,12 @@ void SkdNumberCells(SkdTransport& transport, vtkDataSet* piece, const SkdAllFact
   const std::vector<vtkIdType>& likes, SkdPieceNumbers& numbers)
 {
   CellNumbering(transport, piece, facts, likes, numbers).Number();
+}
+
+void SkdNumberCells(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
+  const std::vector<unsigned char>& counted, SkdPieceNumbers& numbers)
+{
+  CellNumbering(transport, piece, facts, {}, numbers).Number(counted);
 }
 
 std::vector<unsigned char> SkdCountCells(SkdTransport& transport, vtkDataSet* piece,

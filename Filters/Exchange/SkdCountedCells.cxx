@@ -102,6 +102,22 @@ vtkDataObject* SkdCountedInput::Update(vtkDataObject* piece, vtkMultiProcessCont
   return this->Marked ? this->Marked.Get() : piece;
 }
 
+const std::vector<std::vector<vtkIdType>>& SkdCountedInput::FindIds(
+  vtkDataObject* piece, vtkMultiProcessController* controller, SkdTransport& transport)
+{
+  const std::vector<std::vector<unsigned char>>& counted = this->Counted.Update(piece, controller);
+  SkdStamp stamp(piece);
+  const int isNew = stamp != this->Numbered ? 1 : 0;
+  int isAnyNew = 0;
+  controller->AllReduce(&isNew, &isAnyNew, 1, vtkCommunicator::MAX_OP);
+  if (isAnyNew != 0)
+  {
+    this->Ids = SkdNumberCountedCells(transport, piece, counted);
+    this->Numbered = std::move(stamp);
+  }
+  return this->Ids;
+}
+
 // What is not like the piece, but a list of what was found by its cells, has lost those that are
 // marked.
 void SkdCountedInput::Restore(vtkInformationVector* outputs) const

@@ -32,6 +32,8 @@ private:
   std::vector<std::vector<unsigned char>> OfBlocks;
 };
 
+class SkdTransport;
+
 /// An input that stays in its pieces for a filter that lists what it finds by cells, each once: the
 /// cells that other processes count are ghosts to it.
 class SkdCountedInput
@@ -48,6 +50,11 @@ public:
     return this->Counted.Update(piece, controller);
   }
 
+  /// The ids of its cells in the joined mesh, by block, -1 of those that this process does not
+  /// count. All processes must call it together. Nothing is exchanged if no piece has changed.
+  const std::vector<std::vector<vtkIdType>>& FindIds(
+    vtkDataObject* piece, vtkMultiProcessController* controller, SkdTransport& transport);
+
   /// Outputs that the filter has made of it: they get the marks that the piece has.
   void Restore(vtkInformationVector* outputs) const;
 
@@ -56,6 +63,8 @@ private:
   SkdStamp Known;
   std::vector<std::vector<unsigned char>> OfBlocks; // as it is marked
   vtkSmartPointer<vtkDataObject> Marked;            // nullptr: the piece itself
+  SkdStamp Numbered;
+  std::vector<std::vector<vtkIdType>> Ids;
 };
 }
 

@@ -398,6 +398,14 @@ std::vector<std::vector<unsigned char>> SkdFilterInputs::FindCounted(vtkInformat
     : std::vector<std::vector<unsigned char>>();
 }
 
+std::vector<std::vector<vtkIdType>> SkdFilterInputs::FindIds(
+  vtkInformation* output, SkdTransport& transport)
+{
+  return SkdCanBring(this->GetPiece(0))
+    ? this->Counted.FindIds(this->GetPiece(0), SkdControllerOf(output), transport)
+    : std::vector<std::vector<vtkIdType>>();
+}
+
 vtkDataObject* SkdFilterInputs::GatherSpread(int port)
 {
   const std::pair<int, int> slot{ port, 0 };

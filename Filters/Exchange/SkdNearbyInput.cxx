@@ -374,6 +374,35 @@ std::vector<std::vector<unsigned char>> SkdFindCountedCells(
   return counted;
 }
 
+std::vector<std::vector<vtkIdType>> SkdNumberCountedCells(SkdTransport& transport,
+  vtkDataObject* piece, const std::vector<std::vector<unsigned char>>& counted)
+{
+  const std::vector<SkdLeafBlock> leaves = SkdLeafBlocksOf(piece);
+  std::map<SkdBlockPath, std::vector<unsigned char>> ofPaths;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    ofPaths[leaves[i].Path] = counted[i];
+  }
+  BlocksOfAll all(transport, piece);
+  std::map<SkdBlockPath, std::vector<vtkIdType>> ids;
+  for (const auto& [path, examples] : all.Examples)
+  {
+    vtkDataSet* const mesh = all.Own.at(path);
+    std::vector<unsigned char>& count = ofPaths[path];
+    if (count.empty())
+    {
+      count.assign(static_cast<std::size_t>(mesh->GetNumberOfCells()), 1);
+    }
+    ids[path] = SkdNumberCounted(transport, mesh, SkdAllFacts(transport, mesh), count);
+  }
+  std::vector<std::vector<vtkIdType>> numbers;
+  for (const SkdLeafBlock& leaf : leaves)
+  {
+    numbers.push_back(std::move(ids.at(leaf.Path)));
+  }
+  return numbers;
+}
+
 vtkDataObject* SkdNearbyInput::UpdateOwn(SkdTransport& transport, vtkDataObject* piece)
 {
   SkdStamp newPiece(piece);

@@ -74,6 +74,11 @@ private:
 std::vector<std::vector<unsigned char>> SkdFindCountedCells(
   SkdTransport& transport, vtkDataObject* piece);
 
+/// In the same way the joined ids of cells, -1 of those that do not count; `counted` says which do,
+/// an empty list: all.
+std::vector<std::vector<vtkIdType>> SkdNumberCountedCells(SkdTransport& transport,
+  vtkDataObject* piece, const std::vector<std::vector<unsigned char>>& counted);
+
 /// Whether data of this type can be brought: all but AMR data, whose blocks have no paths.
 bool SkdCanBring(vtkDataObject* object);
 

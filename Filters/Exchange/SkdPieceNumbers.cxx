@@ -198,6 +198,19 @@ std::vector<unsigned char> SkdFindCounted(
   return counted;
 }
 
+std::vector<vtkIdType> SkdNumberCounted(SkdTransport& transport, vtkDataSet* piece,
+  const SkdAllFacts& facts, const std::vector<unsigned char>& counted)
+{
+  if (facts.IsOnePiece() || facts.FillGrid() || facts.GetFull().empty())
+  {
+    return SkdNumberPiece(transport, piece, facts).CellIds;
+  }
+  SkdPieceNumbers numbers;
+  numbers.CellIds.resize(counted.size(), -1);
+  SkdNumberCells(transport, piece, facts, counted, numbers);
+  return std::move(numbers.CellIds);
+}
+
 SkdPieceNumbers SkdNumberPiece(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts)
 {
   SkdPieceNumbers numbers;

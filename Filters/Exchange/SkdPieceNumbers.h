@@ -55,6 +55,11 @@ struct SkdPieceNumbers
 SkdPieceNumbers SkdNumberPiece(
   SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts);
 
+/// The joined ids of the cells of a piece, -1 of those that do not count, as SkdFindCounted has
+/// told. Cells alone are numbered.
+std::vector<vtkIdType> SkdNumberCounted(SkdTransport& transport, vtkDataSet* piece,
+  const SkdAllFacts& facts, const std::vector<unsigned char>& counted);
+
 /// Whether each cell of the piece counts in it: has a joined id of SkdNumberPiece. Of points only
 /// those are compared of which cells are that other pieces may have, too; nothing is numbered.
 std::vector<unsigned char> SkdFindCounted(
@@ -79,6 +84,10 @@ void SkdFindLikePoints(SkdTransport& transport, vtkDataSet* piece, const SkdAllF
 /// Whether each cell counts.
 std::vector<unsigned char> SkdCountCells(SkdTransport& transport, vtkDataSet* piece,
   const SkdAllFacts& facts, const std::vector<vtkIdType>& likes);
+
+/// The ids of those that count, by global ids or in order.
+void SkdNumberCells(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
+  const std::vector<unsigned char>& counted, SkdPieceNumbers& numbers);
 
 /// Cells by their points, which are numbered, or global ids.
 void SkdNumberCells(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
