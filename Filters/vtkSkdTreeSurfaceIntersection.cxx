@@ -3,6 +3,8 @@
 #include "vtkSkdTreeSurfaceIntersection.h"
 
 #include "Bodies/SkdOuterSurface.h"
+#include "Exchange/SkdFilterInputs.h"
+#include "Exchange/SkdTransport.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMotion.h"
@@ -95,7 +97,7 @@ void KeepShare(const SkdShare& share, vtkInformationVector* outputs)
 }
 
 /// `second` is nullptr when there is but one.
-void WarnOfNoFaces(vtkSkdTreeSurfaceIntersection* self, const Surface& first, const Surface* second)
+void WarnOfFaces(vtkSkdTreeSurfaceIntersection* self, const Surface& first, const Surface* second)
 {
   const auto warn = [self](const Surface& surface, const char* name)
   {
@@ -109,6 +111,9 @@ void WarnOfNoFaces(vtkSkdTreeSurfaceIntersection* self, const Surface& first, co
   {
     warn(*second, "Source");
   }
+  SkdWarnAboutCoarseFaces(self,
+    first.Set.GetNumberOfCoarseFaces() + (second ? second->Set.GetNumberOfCoarseFaces() : 0),
+    self->GetChordalDeviation());
 }
 
 /// What meets, and where the surfaces are.
@@ -165,12 +170,24 @@ Contacts FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, co
   return contacts;
 }
 
+void WarnOfCopies(vtkSkdTreeSurfaceIntersection* self, bool areLeftOut)
+{
+  if (areLeftOut)
+  {
+    vtkWarningWithObjectMacro(self,
+      "Some triangles are there more than "
+        << SkdManyCopies << " times. Of each the first " << SkdManyCopies
+        << " are used, the others are left out. Remove cells that are there several times.");
+  }
+}
+
 /// Ports 0 to 3.
-void FillContacts(const SkdContacts& contacts, bool areCurvesJoined, vtkInformationVector* outputs,
-  SkdReport& report)
+void FillContacts(const SkdContacts& contacts, bool areCurvesJoined, SkdTransport* transport,
+  vtkInformationVector* outputs, SkdReport& report)
 {
   vtkTable* table = vtkTable::GetData(outputs, 2);
-  report.AddCount("Curves", contacts.FillCurves(vtkPolyData::GetData(outputs, 0), areCurvesJoined));
+  report.AddCount(
+    "Curves", contacts.FillCurves(vtkPolyData::GetData(outputs, 0), areCurvesJoined, transport));
   report.AddCount("Overlaps", contacts.FillOverlaps(vtkPolyData::GetData(outputs, 1)));
   contacts.FillPairs(table, vtkPolyData::GetData(outputs, 3));
   report.AddCount("Pairs", table->GetNumberOfRows());
@@ -197,6 +214,12 @@ struct SplitOutput
       surface->IsComposite, this->Scale, output, refused, loop);
     this->Report.AddCount(side == 0 ? "InputTrianglesSplit" : "SourceTrianglesSplit", count);
     SkdWarnAboutRefused(this->Self, refused);
+  }
+
+  void FillBoth(const Surface& first, const Surface* second, vtkInformationVector* outputs) const
+  {
+    this->Fill(0, &first, vtkPolyData::GetData(outputs, 4));
+    this->Fill(1, second, vtkPolyData::GetData(outputs, 5));
   }
 };
 
@@ -273,7 +296,8 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
-  if (!source && SkdIsLaterPiece(outputVector->GetInformationObject(0)))
+  vtkInformation* output = outputVector->GetInformationObject(0);
+  if (!source && SkdIsLaterPiece(output))
   {
     return 1; // the first piece has all
   }
@@ -286,38 +310,36 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   }
 
   SkdStopwatch watch;
-  const auto processes = source ? SkdProcessesOf(outputVector->GetInformationObject(0)) : nullptr;
+  const auto processes = source ? SkdProcessesOf(output) : nullptr;
   const Surface first(vtkDataObject::GetData(inputVector[0]), this->Impl->First,
     this->ChordalDeviation, processes.get());
   this->UpdateProgress(0.2);
   const Surface other(source, this->Impl->Second, this->ChordalDeviation);
   const Surface& second = source ? other : first;
   this->UpdateProgress(0.4);
-  WarnOfNoFaces(this, first, source ? &other : nullptr);
-  SkdWarnAboutCoarseFaces(this,
-    first.Set.GetNumberOfCoarseFaces() + (source ? other.Set.GetNumberOfCoarseFaces() : 0),
-    this->ChordalDeviation);
+  WarnOfFaces(this, first, source ? &other : nullptr);
   SkdReport report(vtkPolyData::GetData(outputVector, 0));
   report.AddMeasure("BuildSeconds", watch.Lap());
 
   const auto [placement, pairs, areCopiesLeftOut] = FindPairs(this, first,
     source ? &other : nullptr, source && !matrix->IsIdentity() ? motion : std::nullopt);
   SkdWarnAboutTinyPoints(this, placement);
-  if (areCopiesLeftOut)
-  {
-    vtkWarningMacro("Some triangles are there more than "
-      << SkdManyCopies << " times. Of each the first " << SkdManyCopies
-      << " are used, the others are left out. Remove cells that are there several times.");
-  }
+  WarnOfCopies(this, areCopiesLeftOut);
+  const std::unique_ptr<SkdTransport> transport = // between pieces of the Input
+    source && !this->NeedsWhole(0) ? SkdMakeTransport(SkdControllerOf(output)) : nullptr;
   const SkdContacts contacts(
-    { first.Blocks, first.IsComposite }, { second.Blocks, second.IsComposite }, placement, pairs);
-  FillContacts(contacts, this->JoinCurves, outputVector, report);
+    { first.Blocks, first.IsComposite, this->Inputs->FindIds(output, transport.get()) },
+    { second.Blocks, second.IsComposite, {} }, placement, pairs);
+  FillContacts(contacts, this->JoinCurves, transport.get(), outputVector, report);
+  if (transport)
+  {
+    this->Inputs->AddTraffic(transport->GetTraffic());
+  }
   if (this->IsSplitting())
   {
     const SkdSplitSegments segments(placement, pairs, contacts.GetPoints());
-    const SplitOutput output{ this, segments, placement.Scale, report };
-    output.Fill(0, &first, vtkPolyData::GetData(outputVector, 4));
-    output.Fill(1, source ? &other : nullptr, vtkPolyData::GetData(outputVector, 5));
+    SplitOutput{ this, segments, placement.Scale, report }.FillBoth(
+      first, source ? &other : nullptr, outputVector);
   }
   if (source && this->NeedsWhole(0))
   {

@@ -399,10 +399,10 @@ std::vector<std::vector<unsigned char>> SkdFilterInputs::FindCounted(vtkInformat
 }
 
 std::vector<std::vector<vtkIdType>> SkdFilterInputs::FindIds(
-  vtkInformation* output, SkdTransport& transport)
+  vtkInformation* output, SkdTransport* transport)
 {
-  return SkdCanBring(this->GetPiece(0))
-    ? this->Counted.FindIds(this->GetPiece(0), SkdControllerOf(output), transport)
+  return transport && SkdCanBring(this->GetPiece(0))
+    ? this->Counted.FindIds(this->GetPiece(0), SkdControllerOf(output), *transport)
     : std::vector<std::vector<vtkIdType>>();
 }
 

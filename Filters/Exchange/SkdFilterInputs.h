@@ -115,8 +115,8 @@ public:
   std::vector<std::vector<unsigned char>> FindCounted(vtkInformation* output);
 
   /// The ids of its cells in the joined mesh, by block, -1 of those that it does not count; nothing
-  /// of data that cannot be brought. All must call it together.
-  std::vector<std::vector<vtkIdType>> FindIds(vtkInformation* output, SkdTransport& transport);
+  /// of data that cannot be brought, or without a transport. All must call it together.
+  std::vector<std::vector<vtkIdType>> FindIds(vtkInformation* output, SkdTransport* transport);
 
   /// All of such an input, where its pieces turn out not to do: from now on it was gathered. All
   /// processes must call it together.

@@ -12,7 +12,7 @@
 namespace skdtree
 {
 SkdContactPoints::SkdContactPoints(
-  const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs)
+  const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs, Directions directions)
   : First(placement.First)
   , Second(placement.IsOfOne() ? nullptr : &placement.GetSecond())
 {
@@ -33,7 +33,8 @@ SkdContactPoints::SkdContactPoints(
   this->Positions.resize(this->Keys.size());
   const double unscaled = 1.0 / placement.Scale;
   SkdForEach(this->Keys.size(),
-    [&](std::size_t i) { this->Positions[i] = unscaled * this->FindPosition(this->Keys[i]); });
+    [&](std::size_t i)
+    { this->Positions[i] = unscaled * this->FindPosition(this->Keys[i], directions); });
 }
 
 std::vector<SkdContactPoints::Key> SkdContactPoints::MakeKeys(
@@ -168,18 +169,75 @@ std::array<skd::Vector3, 3> SkdContactPoints::TriangleAt(std::uint32_t triangle)
                            : this->Second->GetCornerPoints(triangle - before);
 }
 
-skd::Vector3 SkdContactPoints::FindPosition(const Key& key) const
+skd::Segment<3> SkdContactPoints::AscendingEdgeAt(const Feature& edge) const
+{
+  const skd::Segment<3> ends = this->EdgeAt(edge);
+  return ends.B < ends.A ? skd::Segment<3>{ ends.B, ends.A } : ends;
+}
+
+// Of two sets the first one's comes first; within one set the lower one.
+void SkdContactPoints::OrderEdges(skd::Segment<3>& edge, skd::Segment<3>& other) const
+{
+  if (!this->Second && (other.A < edge.A || (other.A == edge.A && other.B < edge.B)))
+  {
+    std::swap(edge, other);
+  }
+}
+
+skd::Vector3 SkdContactPoints::FindPosition(const Key& key, Directions directions) const
 {
   if (key.first.IsCorner())
   {
     return this->CornerAt(key.first.A);
   }
+  const auto edgeAt = [&](const Feature& edge)
+  {
+    return directions == Directions::ByCoordinates ? this->AscendingEdgeAt(edge)
+                                                   : this->EdgeAt(edge);
+  };
   if (!key.second.IsInside())
   {
-    return skd::CrossingWithEdge(this->EdgeAt(key.first), this->EdgeAt(key.second));
+    skd::Segment<3> edge = edgeAt(key.first);
+    skd::Segment<3> other = edgeAt(key.second);
+    if (directions == Directions::ByCoordinates)
+    {
+      this->OrderEdges(edge, other);
+    }
+    return skd::CrossingWithEdge(edge, other);
   }
   const auto [a, b, c] = this->TriangleAt(key.second.A);
-  return skd::CrossingWithPlane(this->EdgeAt(key.first), a, b, c);
+  return skd::CrossingWithPlane(edgeAt(key.first), a, b, c);
+}
+
+SkdContactPoints::Location SkdContactPoints::Locate(std::uint32_t point) const
+{
+  const Key& key = this->Keys[point];
+  Location location{};
+  if (key.first.IsCorner())
+  {
+    location.Corners[0] = this->CornerAt(key.first.A);
+    location.Number = 1;
+    return location;
+  }
+  skd::Segment<3> edge = this->AscendingEdgeAt(key.first);
+  if (!key.second.IsInside())
+  {
+    skd::Segment<3> other = this->AscendingEdgeAt(key.second);
+    this->OrderEdges(edge, other);
+    location.Corners = { edge.A, edge.B, other.A, other.B, {} };
+    location.Number = 4;
+    return location;
+  }
+  location.Corners[0] = edge.A;
+  location.Corners[1] = edge.B;
+  std::array<skd::Vector3, 3> corners = this->TriangleAt(key.second.A);
+  std::sort(corners.begin(), corners.end());
+  std::copy(corners.begin(), corners.end(), location.Corners.begin() + 2);
+  location.Number = 5;
+  const auto before = static_cast<std::uint32_t>(this->First.GetSet().GetTriangles().size());
+  location.IsTriangleOfSecond = key.second.A >= before;
+  location.Triangle = key.second.A - (location.IsTriangleOfSecond ? before : 0);
+  return location;
 }
 
 unsigned SkdContactPoints::FindExactAxes(const Feature& feature, const skd::Vector3& position) const

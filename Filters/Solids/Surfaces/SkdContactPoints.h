@@ -23,11 +23,35 @@ namespace skdtree
 class SkdContactPoints
 {
 public:
+  /// How edges are directed before their crossings are computed: as their corners are numbered, or
+  /// by coordinates, so that positions are the same to the last bit however points are numbered.
+  enum class Directions
+  {
+    ByNumbers,
+    ByCoordinates
+  };
+
   /// Positions are given without the placement's scale. O(n log n) in the number of pairs.
-  SkdContactPoints(const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs);
+  SkdContactPoints(const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs,
+    Directions directions = Directions::ByNumbers);
 
   std::uint32_t GetNumberOfPoints() const { return static_cast<std::uint32_t>(this->Keys.size()); }
   const skd::Vector3& GetPosition(std::uint32_t point) const { return this->Positions[point]; }
+  const std::vector<skd::Vector3>& GetPositions() const { return this->Positions; }
+
+  /// What a point lies on, with the placement's scale, however points are numbered.
+  struct Location
+  {
+    std::array<skd::Vector3, 5> Corners; ///< each feature's ascending, of the first set's first
+    int Number;                          ///< 1: a corner; 4: two edges; 5: an edge and a triangle
+
+    ///@{
+    /// Of an edge and a triangle.
+    bool IsTriangleOfSecond;
+    std::uint32_t Triangle; ///< in its set
+    ///@}
+  };
+  Location Locate(std::uint32_t point) const;
 
   /// The exact position of a point, with the placement's scale: slow.
   skd::ExactPoint GetExact(std::uint32_t point) const;
@@ -80,10 +104,12 @@ private:
   std::vector<Key> MakeKeys(const std::vector<SkdTrianglePair>& pairs);
   void MakeCornersOne(const std::vector<SkdTrianglePair>& pairs, std::vector<Key>& keys) const;
   static bool IsOn(const Feature& edge, const Key& key);
-  skd::Vector3 FindPosition(const Key& key) const;
+  skd::Vector3 FindPosition(const Key& key, Directions directions) const;
   unsigned FindExactAxes(const Feature& feature, const skd::Vector3& position) const;
   const skd::Vector3& CornerAt(std::uint32_t corner) const;
   skd::Segment<3> EdgeAt(const Feature& edge) const;
+  skd::Segment<3> AscendingEdgeAt(const Feature& edge) const;
+  void OrderEdges(skd::Segment<3>& edge, skd::Segment<3>& other) const;
   std::array<skd::Vector3, 3> TriangleAt(std::uint32_t triangle) const;
 
   const SkdMovedTriangles& First;

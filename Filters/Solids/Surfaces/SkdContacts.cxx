@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Surfaces/SkdContacts.h"
 
-#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -10,6 +9,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace skdtree
 {
@@ -50,23 +50,22 @@ SkdContactKind SkdKindOf(const skd::TriangleContact& contact)
 }
 
 //------------------------------------------------------------------------------
-SkdContacts::SkdContacts(const Side& first, const Side& second, const SkdPlacement& placement,
-  const std::vector<SkdTrianglePair>& pairs)
-  : First(first)
-  , Second(second)
+SkdContacts::SkdContacts(
+  Side first, Side second, const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs)
+  : First(std::move(first))
+  , Second(std::move(second))
+  , FirstIds(SkdJoinedIdsOf(this->First.Blocks))
+  , SecondIds(SkdJoinedIdsOf(this->Second.Blocks))
   , Placement(placement)
   , Pairs(pairs)
-  , Points(placement, pairs)
+  , Points(placement, pairs, SkdContactPoints::Directions::ByCoordinates)
 {
 }
 
 //------------------------------------------------------------------------------
-// A segment is there once, of the lowest pair that has it. One between two polygons of overlap is
-// inside of what overlaps, and no curve.
-std::vector<SkdEndPair> SkdContacts::FindSegments() const
+// A segment is there once, of the lowest pair that has it.
+void SkdContacts::FindSegments(SkdCurveParts& parts) const
 {
-  std::vector<SkdEndPair> segments;
-  std::vector<SkdEndPair> sides;
   for (std::size_t pair = 0; pair < this->Pairs.size(); ++pair)
   {
     const int count = this->Pairs[pair].Contact.Count;
@@ -77,86 +76,108 @@ std::vector<SkdEndPair> SkdContacts::FindSegments() const
     };
     if (count == 2)
     {
-      segments.push_back(side(0));
+      parts.Segments.push_back(side(0));
     }
     for (int i = 0; count > 2 && i < count; ++i)
     {
-      sides.push_back(side(i));
+      parts.Sides.push_back(side(i));
     }
   }
-  SortByEnds(segments);
-  SortByEnds(sides);
-  segments.erase(std::unique(segments.begin(), segments.end(), HaveSameEnds), segments.end());
-  const auto isInside = [&](const SkdEndPair& segment)
-  {
-    const SkdEndPair least{ segment.A, segment.B, 0 };
-    auto at = std::lower_bound(sides.begin(), sides.end(), least,
-      [](const SkdEndPair& a, const SkdEndPair& b) { return a.A != b.A ? a.A < b.A : a.B < b.B; });
-    return sides.end() - at >= 2 && HaveSameEnds(*at, least) && HaveSameEnds(*++at, least);
-  };
-  segments.erase(std::remove_if(segments.begin(), segments.end(), isInside), segments.end());
-  return segments;
+  SortByEnds(parts.Segments);
+  SortByEnds(parts.Sides);
+  parts.Segments.erase(
+    std::unique(parts.Segments.begin(), parts.Segments.end(), HaveSameEnds), parts.Segments.end());
 }
 
 //------------------------------------------------------------------------------
-std::vector<SkdEndPair> SkdContacts::FindLonePoints(const std::vector<SkdEndPair>& segments) const
+void SkdContacts::FindLonePoints(SkdCurveParts& parts) const
 {
-  std::vector<bool> isOther(this->Points.GetNumberOfPoints(), false);
-  for (const SkdEndPair& segment : segments)
-  {
-    isOther[segment.A] = isOther[segment.B] = true;
-  }
+  parts.IsOther.resize(this->Points.GetNumberOfPoints(), false);
   for (std::size_t pair = 0; pair < this->Pairs.size(); ++pair)
   {
     for (int i = 0; this->Pairs[pair].Contact.Count > 1 && i < this->Pairs[pair].Contact.Count; ++i)
     {
-      isOther[this->Points.GetPoint(pair, i)] = true;
+      parts.IsOther[this->Points.GetPoint(pair, i)] = true;
     }
   }
-  std::vector<SkdEndPair> lone;
+  std::vector<bool> isKnown = parts.IsOther;
   for (std::size_t pair = 0; pair < this->Pairs.size(); ++pair)
   {
     const bool isPoint = this->Pairs[pair].Contact.Count == 1;
     const std::uint32_t point = isPoint ? this->Points.GetPoint(pair, 0) : 0;
-    if (isPoint && !isOther[point])
+    if (isPoint && !isKnown[point])
     {
-      lone.push_back({ point, point, pair });
-      isOther[point] = true;
+      parts.Lone.push_back({ point, point, pair });
+      isKnown[point] = true;
     }
   }
-  return lone;
+}
+
+SkdCurveParts SkdContacts::FindParts() const
+{
+  SkdCurveParts parts;
+  this->FindSegments(parts);
+  this->FindLonePoints(parts);
+  return parts;
 }
 
 //------------------------------------------------------------------------------
-void SkdContacts::AddLabels(const std::vector<std::size_t>& pairs, vtkFieldData* to) const
+std::pair<vtkIdType, int> SkdContacts::CellOf(const Side& side,
+  const std::vector<SkdJoinedIds>& joined, const SkdMovedTriangles& triangles,
+  std::uint32_t triangle)
 {
-  const auto add = [&](const Side& side, const SkdTriangleSet& set,
-                     std::uint32_t SkdTrianglePair::*triangle, const char* cellName,
-                     const char* blockName)
+  const SkdTriangleSet& set = triangles.GetSet();
+  const SkdTriangleSet::Cell& cell = set.GetCells()[set.GetCellOf(triangle)];
+  const auto block = static_cast<std::size_t>(cell.Block);
+  const vtkIdType id = side.Ids.empty() ? joined[block].Of(cell.Id)
+                                        : side.Ids[block][static_cast<std::size_t>(cell.Id)];
+  return { id, side.Blocks[block].BlockIndex };
+}
+
+SkdContactLabel SkdContacts::LabelOf(std::size_t pair) const
+{
+  const auto [first, firstBlock] =
+    CellOf(this->First, this->FirstIds, this->Placement.First, this->Pairs[pair].First);
+  const auto [second, secondBlock] =
+    CellOf(this->Second, this->SecondIds, this->Placement.GetSecond(), this->Pairs[pair].Second);
+  return { first, second, firstBlock, secondBlock };
+}
+
+void SkdContacts::AddLabels(const std::vector<std::size_t>& pairs, vtkFieldData* to,
+  const std::vector<SkdContactLabel>& received) const
+{
+  const auto n = static_cast<vtkIdType>(pairs.size());
+  const auto firsts = SkdMakeArray<vtkIdTypeArray>(FirstCellName, 1, n);
+  const auto seconds = SkdMakeArray<vtkIdTypeArray>(SecondCellName, 1, n);
+  const auto firstBlocks =
+    SkdMakeArray<vtkIntArray>(FirstBlockName, 1, this->First.IsComposite ? n : 0);
+  const auto secondBlocks =
+    SkdMakeArray<vtkIntArray>(SecondBlockName, 1, this->Second.IsComposite ? n : 0);
+  for (vtkIdType i = 0; i < n; ++i)
   {
-    const auto n = static_cast<vtkIdType>(pairs.size());
-    const auto cellOf = [&](vtkIdType i)
-    { return set.GetCells()[set.GetCellOf(this->Pairs[pairs[i]].*triangle)]; };
-    const std::vector<SkdJoinedIds> joined = SkdJoinedIdsOf(side.Blocks);
-    auto ids = SkdMakeArray<vtkIdTypeArray>(cellName, 1, n);
-    auto blockIndices = SkdMakeArray<vtkIntArray>(blockName, 1, side.IsComposite ? n : 0);
-    for (vtkIdType i = 0; i < n; ++i)
+    const std::size_t pair = pairs[static_cast<std::size_t>(i)];
+    const SkdContactLabel label =
+      pair < this->Pairs.size() ? this->LabelOf(pair) : received[pair - this->Pairs.size()];
+    firsts->SetValue(i, static_cast<vtkIdType>(label.FirstCell));
+    seconds->SetValue(i, static_cast<vtkIdType>(label.SecondCell));
+    if (this->First.IsComposite)
     {
-      ids->SetValue(i, joined[static_cast<std::size_t>(cellOf(i).Block)].Of(cellOf(i).Id));
+      firstBlocks->SetValue(i, label.FirstBlock);
     }
-    to->AddArray(ids);
-    for (vtkIdType i = 0; i < blockIndices->GetNumberOfTuples(); ++i)
+    if (this->Second.IsComposite)
     {
-      blockIndices->SetValue(i, side.Blocks[cellOf(i).Block].BlockIndex);
+      secondBlocks->SetValue(i, label.SecondBlock);
     }
-    if (side.IsComposite)
-    {
-      to->AddArray(blockIndices);
-    }
-  };
-  add(this->First, this->Placement.First.GetSet(), &SkdTrianglePair::First, FirstCellName,
-    FirstBlockName);
-  add(this->Second, this->Placement.GetSecond().GetSet(), &SkdTrianglePair::Second, SecondCellName,
-    SecondBlockName);
+  }
+  to->AddArray(firsts);
+  if (this->First.IsComposite)
+  {
+    to->AddArray(firstBlocks);
+  }
+  to->AddArray(seconds);
+  if (this->Second.IsComposite)
+  {
+    to->AddArray(secondBlocks);
+  }
 }
 }

@@ -8,8 +8,10 @@
 #ifndef SkdContacts_h
 #define SkdContacts_h
 
+#include "Pipeline/SkdJoinedIds.h"
+#include "Solids/Surfaces/SkdContactKey.h"
 #include "Solids/Surfaces/SkdContactPoints.h"
-#include "Solids/Surfaces/SkdJoinSegments.h"
+#include "Solids/Surfaces/SkdCurves.h"
 
 class vtkDataSetAttributes;
 class vtkFieldData;
@@ -18,6 +20,8 @@ class vtkTable;
 
 namespace skdtree
 {
+class SkdTransport;
+
 /// What pairs have in common.
 enum class SkdContactKind
 {
@@ -46,22 +50,25 @@ public:
   static constexpr const char* SecondPointName = "SkdSecondPoint";
   ///@}
 
-  /// The data sets of a surface. Block indices are output for composite data.
+  /// The data sets of a surface. Block indices are output for composite data. Ids are those in
+  /// the whole of a mesh in pieces: by block and cell, or where there are none by SkdJoinedIds.
   struct Side
   {
     const std::vector<SkdBlock>& Blocks;
     bool IsComposite;
+    std::vector<std::vector<vtkIdType>> Ids;
   };
 
-  SkdContacts(const Side& first, const Side& second, const SkdPlacement& placement,
+  SkdContacts(Side first, Side second, const SkdPlacement& placement,
     const std::vector<SkdTrianglePair>& pairs);
 
   const SkdContactPoints& GetPoints() const { return this->Points; }
 
   /// The curves: polylines with the ids of each segment at its first point, or a cell for each
   /// segment. Isolated points of contact are vertices. Returns the number of curves without
-  /// vertices.
-  vtkIdType FillCurves(vtkPolyData* curves, bool isJoined) const;
+  /// vertices. With a transport the first surface lies in pieces (see SkdSpreadCurves), and all
+  /// processes call it together.
+  vtkIdType FillCurves(vtkPolyData* curves, bool isJoined, SkdTransport* transport) const;
 
   /// The convex polygons in which triangles of one plane overlap.
   vtkIdType FillOverlaps(vtkPolyData* overlaps) const;
@@ -82,21 +89,31 @@ private:
     skd::Vector3 SecondPoint;
   };
 
-  void AddMeasures(vtkPolyData* curves, const std::vector<SkdEndPair>& segments,
-    const std::vector<SkdPolyline>& lines) const;
-  std::vector<SkdEndPair> FindSegments() const;
-  std::vector<SkdEndPair> FindLonePoints(const std::vector<SkdEndPair>& segments) const;
+  void AddMeasures(vtkPolyData* output, const SkdCurves& curves) const;
+  SkdCurveParts FindParts() const;
+  void FindSegments(SkdCurveParts& parts) const;
+  void FindLonePoints(SkdCurveParts& parts) const;
+  SkdCurves JoinAlone(SkdCurveParts parts) const;
+  SkdCurves JoinSpread(SkdCurveParts parts, bool isJoined, SkdTransport& transport) const;
+  const skd::Vector3& PositionOf(std::uint32_t point, const SkdCurves& curves) const;
+  bool IsBefore(std::uint32_t a, std::uint32_t b) const;
+  SkdContactKey KeyOf(const SkdContactPoints::Location& location) const;
+  SkdContactLabel LabelOf(std::size_t pair) const;
+  static std::pair<vtkIdType, int> CellOf(const Side& side, const std::vector<SkdJoinedIds>& joined,
+    const SkdMovedTriangles& triangles,
+    std::uint32_t triangle); // its id in the whole, and its block's index
   std::vector<Row> FindRows() const;
   Row MakeRow(std::size_t index) const;
   void FillGaps(const std::vector<Row>& rows, vtkPolyData* gaps) const;
-  void AddLabels(const std::vector<std::size_t>& pairs, vtkFieldData* to) const;
-  void FillSeparate(vtkPolyData* curves, const std::vector<SkdEndPair>& lone,
-    const std::vector<SkdEndPair>& segments) const;
-  void FillJoined(vtkPolyData* curves, const std::vector<SkdEndPair>& lone,
-    const std::vector<SkdEndPair>& segments, const std::vector<SkdPolyline>& lines) const;
+  void AddLabels(const std::vector<std::size_t>& pairs, vtkFieldData* to,
+    const std::vector<SkdContactLabel>& received = {}) const;
+  void FillSeparate(vtkPolyData* output, const SkdCurves& curves) const;
+  void FillJoined(vtkPolyData* output, const SkdCurves& curves) const;
 
   Side First;
   Side Second;
+  std::vector<SkdJoinedIds> FirstIds;
+  std::vector<SkdJoinedIds> SecondIds;
   const SkdPlacement& Placement;
   const std::vector<SkdTrianglePair>& Pairs;
   SkdContactPoints Points;

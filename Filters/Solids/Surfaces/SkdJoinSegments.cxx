@@ -4,6 +4,8 @@
 
 #include "Core/Geometry/Rows.h"
 
+#include <algorithm>
+
 namespace skdtree
 {
 namespace
@@ -11,25 +13,32 @@ namespace
 class Joining
 {
 public:
-  Joining(const std::vector<SkdEndPair>& segments, std::uint32_t numberOfPoints);
+  Joining(const std::vector<SkdEndPair>& segments, const SkdSegmentPoints& points);
 
   std::vector<SkdPolyline> Join();
 
 private:
-  std::size_t CountAt(std::uint32_t point) const { return this->AtPoints[point].size(); }
+  bool IsEnd(std::uint32_t point) const
+  {
+    return this->AtPoints[point].size() != 2 ||
+      (!this->Points.IsEnd.empty() && this->Points.IsEnd[point]);
+  }
   SkdPolyline Follow(std::uint32_t start, std::size_t segment);
+  void Direct(SkdPolyline& line) const;
 
   static constexpr std::size_t None = ~std::size_t(0);
   std::size_t FindUnused(std::uint32_t point) const;
 
   const std::vector<SkdEndPair>& Segments;
+  const SkdSegmentPoints& Points;
   skd::Rows<std::size_t> AtPoints; // the segments at each
   std::vector<bool> Used;
 };
 
-Joining::Joining(const std::vector<SkdEndPair>& segments, std::uint32_t numberOfPoints)
+Joining::Joining(const std::vector<SkdEndPair>& segments, const SkdSegmentPoints& points)
   : Segments(segments)
-  , AtPoints(numberOfPoints,
+  , Points(points)
+  , AtPoints(points.Number,
       [&](const auto& add)
       {
         for (std::size_t i = 0; i < segments.size(); ++i)
@@ -65,14 +74,42 @@ SkdPolyline Joining::Follow(std::uint32_t start, std::size_t segment)
     this->Used[segment] = true;
     const SkdEndPair& ends = this->Segments[segment];
     point = ends.A == point ? ends.B : ends.A;
-    segment = this->CountAt(point) == 2 ? this->FindUnused(point) : None;
+    segment = this->IsEnd(point) ? None : this->FindUnused(point);
   } while (segment != None);
-  line.IsClosed = point == start && this->CountAt(start) == 2;
+  line.IsClosed = point == start && !this->IsEnd(start);
   if (!line.IsClosed)
   {
     line.Points.push_back(point);
   }
+  this->Direct(line);
   return line;
+}
+
+void Joining::Direct(SkdPolyline& line) const
+{
+  const auto& isBefore = this->Points.IsBefore;
+  std::vector<std::uint32_t>& points = line.Points;
+  if (line.IsClosed)
+  {
+    const auto first =
+      std::min_element(points.begin(), points.end(), std::cref(isBefore)) - points.begin();
+    std::rotate(points.begin(), points.begin() + first, points.end());
+    std::rotate(line.Segments.begin(), line.Segments.begin() + first, line.Segments.end());
+    if (isBefore(points.back(), points[1]))
+    {
+      std::reverse(points.begin() + 1, points.end());
+      std::reverse(line.Segments.begin(), line.Segments.end());
+    }
+    return;
+  }
+  const std::size_t n = points.size();
+  const bool areEndsAlike =
+    !isBefore(points[0], points[n - 1]) && !isBefore(points[n - 1], points[0]);
+  if (isBefore(points[n - 1], points[0]) || (areEndsAlike && isBefore(points[n - 2], points[1])))
+  {
+    std::reverse(points.begin(), points.end());
+    std::reverse(line.Segments.begin(), line.Segments.end());
+  }
 }
 
 std::vector<SkdPolyline> Joining::Join()
@@ -81,7 +118,7 @@ std::vector<SkdPolyline> Joining::Join()
   const auto numberOfPoints = static_cast<std::uint32_t>(this->AtPoints.size());
   for (std::uint32_t point = 0; point < numberOfPoints; ++point)
   {
-    if (this->CountAt(point) != 2)
+    if (this->IsEnd(point))
     {
       for (std::size_t next = this->FindUnused(point); next != None; next = this->FindUnused(point))
       {
@@ -101,8 +138,8 @@ std::vector<SkdPolyline> Joining::Join()
 }
 
 std::vector<SkdPolyline> SkdJoinSegments(
-  const std::vector<SkdEndPair>& segments, std::uint32_t numberOfPoints)
+  const std::vector<SkdEndPair>& segments, const SkdSegmentPoints& points)
 {
-  return Joining(segments, numberOfPoints).Join();
+  return Joining(segments, points).Join();
 }
 }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace skdtree
@@ -26,11 +27,24 @@ struct SkdPolyline
   bool IsClosed = false;
 };
 
-/// Joins segments into maximal polylines that end where one segment or more than two meet. Points
-/// are numbered below `numberOfPoints`. The open ones come first, by the point that they start
-/// from. O(n log n).
+/// What is known of the points of segments, which are numbered.
+struct SkdSegmentPoints
+{
+  std::uint32_t Number;
+
+  /// An order of different points that does not depend on their numbers.
+  std::function<bool(std::uint32_t a, std::uint32_t b)> IsBefore;
+
+  /// Where lines end, although two segments meet there: others do elsewhere. Empty: nowhere.
+  std::vector<bool> IsEnd;
+};
+
+/// Joins segments into maximal polylines that end where one segment or more than two meet. A closed
+/// one starts from the first of its points, an open one from the first of its ends, and where ends
+/// do not decide it goes to the first of the points beside them: lines do not depend on the numbers
+/// of points nor on the order of segments. The open ones come first. O(n log n).
 std::vector<SkdPolyline> SkdJoinSegments(
-  const std::vector<SkdEndPair>& segments, std::uint32_t numberOfPoints);
+  const std::vector<SkdEndPair>& segments, const SkdSegmentPoints& points);
 }
 
 #endif
