@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Surfaces/SkdSpreadCurves.h"
 
+#include "Exchange/SkdCut.h"
+#include "Solids/Surfaces/SkdVisitKeys.h"
+
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -65,40 +68,6 @@ std::size_t ProcessOf(const SkdContactKey& key, std::size_t processes)
   return static_cast<std::size_t>(key.Low % processes);
 }
 
-/// Where questions are: of which process, and which one.
-struct Asked
-{
-  std::size_t Process;
-  std::size_t Number;
-};
-
-/// Calls visit(first, last) for the questions of each key, those of a key as `isBefore` says and by
-/// process.
-template <class Question, class IsBefore, class Visit>
-void VisitKeys(const ByProcess<Question>& questions, const IsBefore& isBefore, const Visit& visit)
-{
-  std::vector<Asked> all;
-  for (std::size_t process = 0; process < questions.size(); ++process)
-  {
-    for (std::size_t i = 0; i < questions[process].size(); ++i)
-    {
-      all.push_back({ process, i });
-    }
-  }
-  const auto at = [&questions](const Asked& asked) -> const Question&
-  { return questions[asked.Process][asked.Number]; };
-  std::stable_sort(all.begin(), all.end(),
-    [&](const Asked& a, const Asked& b)
-    { return at(a).Key != at(b).Key ? at(a).Key < at(b).Key : isBefore(at(a), at(b)); });
-  for (auto first = all.begin(); first != all.end();)
-  {
-    const auto last = std::find_if(
-      first, all.end(), [&](const Asked& asked) { return at(asked).Key != at(*first).Key; });
-    visit(first, last);
-    first = last;
-  }
-}
-
 /// How many segments end at a point.
 struct Degree
 {
@@ -121,18 +90,18 @@ ByProcess<TotalDegree> AddDegrees(const ByProcess<Degree>& questions)
   {
     answers.emplace_back(some.size());
   }
-  VisitKeys(
+  SkdVisitKeys(
     questions, [](const Degree&, const Degree&) { return false; },
     [&](auto first, auto last)
     {
       std::int32_t sum = 0;
       std::for_each(first, last,
-        [&](const Asked& asked) { sum += questions[asked.Process][asked.Number].Count; });
+        [&](const SkdAsked& asked) { sum += questions[asked.Process][asked.Number].Count; });
       const bool areTwo = sum == 2 && last - first == 2;
-      for (auto asked = first; asked != last; ++asked)
+      for (auto each = first; each != last; ++each)
       {
-        const auto other = asked == first ? first + 1 : first;
-        answers[asked->Process][asked->Number] = { sum,
+        const auto other = each == first ? first + 1 : first;
+        answers[each->Process][each->Number] = { sum,
           areTwo ? static_cast<std::int32_t>(other->Process) : -1 };
       }
     });
@@ -155,20 +124,6 @@ std::vector<SkdEndPair>::iterator FindSides(
     [](const SkdEndPair& a, const SkdEndPair& b)
     { return std::tie(a.A, a.B) < std::tie(b.A, b.B); });
 }
-}
-
-//------------------------------------------------------------------------------
-void SkdCurveParts::LeaveOutInside()
-{
-  const auto isInside = [this](const SkdEndPair& segment)
-  {
-    auto at = FindSides(this->Sides, this->Sides.begin(), segment);
-    const auto isSame = [&](const SkdEndPair& side)
-    { return side.A == segment.A && side.B == segment.B; };
-    return this->Sides.end() - at >= 2 && isSame(*at) && isSame(*++at);
-  };
-  this->Segments.erase(
-    std::remove_if(this->Segments.begin(), this->Segments.end(), isInside), this->Segments.end());
 }
 
 //------------------------------------------------------------------------------
@@ -216,12 +171,12 @@ std::vector<unsigned char> SkdSpreadCurves::AskWhether(const std::vector<Questio
     {
       answers.emplace_back(some.size(), static_cast<unsigned char>(0));
     }
-    VisitKeys(asked, isBefore,
+    SkdVisitKeys(asked, isBefore,
       [&](auto first, auto last)
       {
         int against = 0;
         std::for_each(first, last,
-          [&](const Asked& each) { against += asked[each.Process][each.Number].Against; });
+          [&](const SkdAsked& each) { against += asked[each.Process][each.Number].Against; });
         answers[first->Process][first->Number] = against < 2 ? 1 : 0;
       });
     return answers;
@@ -292,8 +247,7 @@ void SkdSpreadCurves::LeaveOutSegments(SkdCurveParts& parts, const FindLabel& la
   std::size_t kept = 0;
   for (std::size_t i = 0; i < parts.Segments.size(); ++i)
   {
-    const bool isKept = asked[i] < are.size() ? are[asked[i]] != 0 : asked[i] == ~std::size_t(0);
-    if (isKept)
+    if (asked[i] < are.size() ? are[asked[i]] != 0 : asked[i] == ~std::size_t(0))
     {
       parts.Segments[kept++] = parts.Segments[i];
     }

@@ -4,7 +4,6 @@
 #define SkdSpreadCurves_h
 
 #include "Core/Geometry/Box.h"
-#include "Exchange/SkdCut.h"
 #include "Exchange/SkdSpreadChains.h"
 #include "Solids/Surfaces/SkdContactKey.h"
 #include "Solids/Surfaces/SkdCurves.h"
