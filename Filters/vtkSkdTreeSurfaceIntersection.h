@@ -30,9 +30,10 @@
  * | SkdSecondBlockIndex | point | int    | the same of a composite Source                       |
  * | SkdCurveClosed      | cell  | uchar  | 1 of a closed curve                                  |
  * | SkdCurveLength      | cell  | double | its length                                           |
- * The last point of an open curve has the ids of the last segment. A segment of several pairs (for
- * example along an edge) is given once, with the lowest ids. Segments within an area in which the
- * surfaces coincide are not part of curves.
+ * A closed curve starts from the least of its points, by x, then y, then z, and goes to the lesser
+ * of the two beside it; an open one starts from its lesser end. Its last point has the ids of the
+ * last segment. A segment of several pairs (for example along an edge) is given once, with the
+ * lowest ids. Segments within an area in which the surfaces coincide are not part of curves.
  *
  * Output port 1, vtkPolyData: a convex polygon for each pair of coplanar triangles that overlap,
  * with the ids above as cell data.
@@ -78,9 +79,12 @@
  * several processes each computes the result for its piece of Input and gathers the whole Source,
  * or the cells near its piece (see SetSourceDistribution) of a Source that does not move, if
  * ALL_PAIRS are found and no surfaces split; of volume cells the cells near a face say whether it
- * is an outer one. An Input in pieces with volume cells is gathered, too, because cells of other
- * pieces have the other sides of faces at its borders. Without a Source the first process computes
- * all.
+ * is an outer one. Points of contact are identified by the coordinates of what they lie on, so that
+ * pieces must have the same coordinates where they meet; processes compare those that several may
+ * have: segments and points on borders are listed once, and a curve over several processes is
+ * joined by the one that has its longest part. Ids are those of cells in the joined pieces. An
+ * Input in pieces with volume cells is gathered, too, because cells of other pieces have the other
+ * sides of faces at its borders. Without a Source the first process computes all.
  *
  * Cost: O(n) to read, O(n log n) to build whole trees, O(k) typical for k pairs of overlapping
  * boxes.
@@ -138,8 +142,8 @@ public:
   //@{
   /**
    * Output curves as polylines, with the ids of each segment at its first point. Off: a line cell
-   * for each segment, with the ids as cell data and no SkdCurve arrays. Each of several processes
-   * joins the curves of its own piece of the input. Default on.
+   * for each segment, with the ids as cell data and no SkdCurve arrays. A curve that goes on over
+   * several processes is brought to one of them, which joins it. Default on.
    */
   vtkSkdTreeSwitchMacro(JoinCurves);
   //@}
