@@ -114,7 +114,7 @@ def filters(inputs, way):
         "closest points": lambda: simple.SkdTreeClosestPoint(**pair),
         "rays": lambda: simple.SkdTreeRays(**pair, Along="Direction", Direction=[0.1, 0.0, -1.0]),
         "probe": lambda: simple.SkdTreeProbe(**pair, AbsoluteTolerance=0.02),
-        "surface intersection": lambda: simple.SkdTreeSurfaceIntersection(**pair, JoinCurves=0),
+        "surface intersection": lambda: simple.SkdTreeSurfaceIntersection(**pair),
         "remap": lambda: simple.SkdTreeRemap(Source=inputs[2], Input=inputs[3],
             Method="Conservative First Order", Geometry="Plane", SourceDistribution=way),
         "compare surfaces": lambda: simple.SkdTreeCompareSurfaces(**pair, Tolerance=1e-3),
