@@ -130,7 +130,9 @@ void SkdShare::Keep(vtkPolyData* cells) const
   vtkNew<vtkPoints> points;
   points->SetDataType(all->GetPoints()->GetDataType());
   cells->SetPoints(points);
-  cells->AllocateProportional(all, 1.0 / static_cast<double>(this->Pieces));
+  // A part of a few cells, as of AllocateProportional, would be no place for any.
+  constexpr vtkIdType pointsOfCell = 3;
+  cells->AllocateEstimate(this->LastOf(count) - this->FirstOf(count), pointsOfCell);
   cells->GetPointData()->CopyAllOn();
   cells->GetPointData()->CopyAllocate(all->GetPointData());
   cells->GetCellData()->CopyAllOn();
