@@ -293,7 +293,8 @@ int vtkSkdTreeClosestPoint::RequestData(
   }
   if (this->GenerateLines)
   {
-    SkdConnectClosest(blocks, answers, vtkPolyData::GetData(outputVector, 1));
+    SkdConnectClosest(
+      blocks, answers, this->FindListedPoints(outputVector), vtkPolyData::GetData(outputVector, 1));
   }
   if (spread)
   {

@@ -271,9 +271,12 @@ int vtkSkdTreeRays::RequestData(
   report.AddMeasure("Tolerance", tolerance);
   report.AddRun(built, buildSeconds, "QuerySeconds", watch.Lap());
   Report(output, rays, counts);
-  const bool hasList = this->Hits != COUNTS && this->Start == CELL_CENTERS;
-  const auto listed =
-    hasList ? this->FindListedCells(outputVector) : std::vector<std::vector<unsigned char>>();
+  std::vector<std::vector<unsigned char>> listed;
+  if (this->Hits != COUNTS)
+  {
+    listed = this->Start == CELL_CENTERS ? this->FindListedCells(outputVector)
+                                         : this->FindListedPoints(outputVector);
+  }
   FillOutputs(this, blocks, rays, listed, target, vtkPolyData::GetData(outputVector, 1));
   return 1;
 }

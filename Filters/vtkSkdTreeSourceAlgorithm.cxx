@@ -94,6 +94,12 @@ std::vector<std::vector<unsigned char>> vtkSkdTreeSourceAlgorithm::FindListedCel
   return this->Inputs->FindCounted(outputs->GetInformationObject(0));
 }
 
+std::vector<std::vector<unsigned char>> vtkSkdTreeSourceAlgorithm::FindListedPoints(
+  vtkInformationVector* outputs)
+{
+  return this->Inputs->FindCountedPoints(outputs->GetInformationObject(0));
+}
+
 bool vtkSkdTreeSourceAlgorithm::IsLeftToFirst(vtkInformationVector* outputs)
 {
   return this->NeedsWhole(0) && SkdIsLaterPiece(outputs->GetInformationObject(0));

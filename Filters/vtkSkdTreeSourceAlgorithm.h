@@ -129,6 +129,9 @@ protected:
   virtual bool ListsByInputCells();
   std::vector<std::vector<unsigned char>> FindListedCells(vtkInformationVector* outputs);
 
+  /// For those that list by the points of the Input: the same of points.
+  std::vector<std::vector<unsigned char>> FindListedPoints(vtkInformationVector* outputs);
+
   /// Whether the Input is needed as a whole and this is not the first process, which outputs all.
   bool IsLeftToFirst(vtkInformationVector* outputs);
 

@@ -18,6 +18,11 @@ namespace skdtree
 {
 namespace
 {
+std::vector<std::vector<unsigned char>> AllOf(vtkDataObject* piece)
+{
+  return std::vector<std::vector<unsigned char>>(SkdBlocksOf(piece).size());
+}
+
 /// Without an exchange between processes all have the whole for a moment.
 std::vector<std::vector<unsigned char>> CountedByRows(
   vtkDataObject* piece, vtkMultiProcessController* controller)
@@ -60,8 +65,15 @@ const std::vector<std::vector<unsigned char>>& SkdCountedCells::Update(
   if (isAnyNew != 0)
   {
     const std::unique_ptr<SkdTransport> transport = SkdMakeTransport(controller);
-    this->OfBlocks = transport && SkdCanBring(piece) ? SkdFindCountedCells(*transport, piece)
-                                                     : CountedByRows(piece, controller);
+    if (transport && SkdCanBring(piece))
+    {
+      this->OfBlocks = SkdFindCountedElements(*transport, piece, this->Type);
+    }
+    else
+    {
+      this->OfBlocks =
+        this->Type == vtkDataObject::POINT ? AllOf(piece) : CountedByRows(piece, controller);
+    }
     for (std::vector<unsigned char>& counted : this->OfBlocks)
     {
       if (std::find(counted.begin(), counted.end(), 0) == counted.end())

@@ -10,6 +10,7 @@
 #define SkdCountedCells_h
 
 #include "Exchange/SkdStamp.h"
+#include "vtkDataObject.h"
 
 #include <vector>
 
@@ -21,6 +22,15 @@ namespace skdtree
 class SkdCountedCells
 {
 public:
+  SkdCountedCells() = default;
+
+  /// The same of points, if the type is vtkDataObject::POINT: one process counts each, and none
+  /// ghosts. Without an exchange between processes all are counted by each that has them.
+  explicit SkdCountedCells(int type)
+    : Type(type)
+  {
+  }
+
   /// Finds, by block of this process's piece (SkdBlocksOf), whether it counts each cell: one
   /// process does, and none counts ghosts (see SkdJoinPieces). Empty lists: all count. All
   /// processes must call it together. Nothing is exchanged if no piece has changed.
@@ -28,6 +38,7 @@ public:
     vtkDataObject* piece, vtkMultiProcessController* controller);
 
 private:
+  int Type = vtkDataObject::CELL;
   SkdStamp Known;
   std::vector<std::vector<unsigned char>> OfBlocks;
 };

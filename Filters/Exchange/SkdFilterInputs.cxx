@@ -21,6 +21,8 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string>
 
 namespace skdtree
 {
@@ -69,6 +71,34 @@ bool Fit(vtkDataObject* piece, vtkDataObject* own, vtkMultiProcessController* co
     range.WithNearest = true;
   }
   return anywhere[0] == 0 && !(isOnSphere && range.IsNotForSpheres);
+}
+
+/// What kind of data a piece is, of those that can be joined: a mesh, one kind of composite data,
+/// or none.
+int KindOf(vtkDataObject* piece)
+{
+  constexpr int ofNone = -2;
+  constexpr int ofMeshes = -1;
+  return !piece ? ofNone : SkdIsComposite(piece) ? piece->GetDataObjectType() : ofMeshes;
+}
+
+/// Where the whole of an input is of another class than a process's piece, which its outputs that
+/// are to be like the input were made for.
+void ProvideLike(
+  vtkAlgorithm* filter, vtkDataObject* piece, vtkDataObject* whole, vtkInformationVector* outputs)
+{
+  const int type = piece->GetDataObjectType();
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    const char* const fixed =
+      filter->GetOutputPortInformation(port)->Get(vtkDataObject::DATA_TYPE_NAME());
+    vtkDataObject* output = vtkDataObject::GetData(outputs, port);
+    if (std::string(fixed ? fixed : "") == "vtkDataObject" && output &&
+      output->GetDataObjectType() == type)
+    {
+      SkdProvideOutput(outputs->GetInformationObject(port), whole->GetDataObjectType());
+    }
+  }
 }
 
 /// An error on one process ends the request on all.
@@ -125,8 +155,12 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
   }
   std::vector<vtkSmartPointer<vtkInformationVector>> retained;
   std::vector<vtkInformationVector*> whole;
-  this->GatherAll(valid.Get(), outputs, retained, whole);
-  const bool isFit = this->CheckGlobalIds();
+  const bool areAlike = this->CheckKinds(outputs);
+  if (areAlike)
+  {
+    this->GatherAll(valid.Get(), outputs, retained, whole);
+  }
+  const bool isFit = areAlike && this->CheckGlobalIds();
   const bool isCounted = isFit && this->CountCells(whole);
   int result = isFit ? process(whole.data()) : 0;
   this->Pieces.clear(); // or their data would stay
@@ -134,10 +168,10 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
   {
     this->Counted.Restore(outputs);
   }
-  const bool isTogether =
-    isCounted || !this->Whole.empty() || !this->Nearby.empty() || !this->Spread.empty();
+  const bool isTogether = !areAlike || isCounted || !this->Whole.empty() || !this->Nearby.empty() ||
+    !this->Spread.empty();
   const SkdSharedMessages::Outcome outcome =
-    isTogether ? messages.SayOnce() : SkdSharedMessages::Outcome();
+    isTogether ? messages.SayOnce(!this->NeedsWhole(0)) : SkdSharedMessages::Outcome();
   if (outcome.IsAbortedAnywhere)
   {
     Abort(this->Filter, outputs);
@@ -154,6 +188,34 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
     this->Report(outputs);
   }
   return result;
+}
+
+// The same on all processes.
+bool SkdFilterInputs::CheckKinds(vtkInformationVector* outputs) const
+{
+  vtkMultiProcessController* controller = SkdControllerOf(outputs->GetInformationObject(0));
+  if (!controller)
+  {
+    return true;
+  }
+  const std::size_t ports = this->Pieces.size();
+  std::vector<int> kinds;
+  std::transform(this->Pieces.begin(), this->Pieces.end(), std::back_inserter(kinds), KindOf);
+  std::vector<int> all(ports * static_cast<std::size_t>(controller->GetNumberOfProcesses()));
+  controller->AllGather(kinds.data(), all.data(), static_cast<vtkIdType>(ports));
+  for (std::size_t at = ports; at < all.size(); ++at)
+  {
+    if (all[at] != all[at % ports])
+    {
+      vtkErrorWithObjectMacro(this->Filter,
+        "Pieces of one input must be of one kind: those of input port "
+          << at % ports
+          << " are not all meshes, or not all composite data of one class, on process "
+          << "0 and process " << at / ports << ".");
+      return false;
+    }
+  }
+  return true;
 }
 
 // Whether processes have compared their cells.
@@ -195,6 +257,11 @@ void SkdFilterInputs::GatherAll(vtkInformationVector** inputs, vtkInformationVec
     }
     this->GatherInto(retained.back(), port, near);
     whole.push_back(retained.back());
+  }
+  vtkDataObject* const first = vtkDataObject::GetData(whole.front());
+  if (first && this->GetPiece(0) && this->NeedsWhole(0))
+  {
+    ProvideLike(this->Filter, this->GetPiece(0), first, outputs);
   }
 }
 
@@ -392,10 +459,22 @@ const SkdSpreadSource* SkdFilterInputs::GetSpread(int port) const
 
 std::vector<std::vector<unsigned char>> SkdFilterInputs::FindCounted(vtkInformation* output)
 {
-  vtkMultiProcessController* controller = SkdControllerOf(output);
-  return controller && this->GetPiece(0) && !this->NeedsWhole(0)
-    ? this->Counted.Find(this->GetPiece(0), controller)
-    : std::vector<std::vector<unsigned char>>();
+  vtkMultiProcessController* controller = this->FindCounting(output);
+  return controller ? this->Counted.Find(this->GetPiece(0), controller)
+                    : std::vector<std::vector<unsigned char>>();
+}
+
+std::vector<std::vector<unsigned char>> SkdFilterInputs::FindCountedPoints(vtkInformation* output)
+{
+  vtkMultiProcessController* controller = this->FindCounting(output);
+  return controller ? this->CountedPoints.Update(this->GetPiece(0), controller)
+                    : std::vector<std::vector<unsigned char>>();
+}
+
+// Of an input of port 0 that stays in its pieces; else nullptr.
+vtkMultiProcessController* SkdFilterInputs::FindCounting(vtkInformation* output) const
+{
+  return this->GetPiece(0) && !this->NeedsWhole(0) ? SkdControllerOf(output) : nullptr;
 }
 
 std::vector<std::vector<vtkIdType>> SkdFilterInputs::FindIds(

@@ -114,6 +114,9 @@ public:
   /// together.
   std::vector<std::vector<unsigned char>> FindCounted(vtkInformation* output);
 
+  /// The same of points.
+  std::vector<std::vector<unsigned char>> FindCountedPoints(vtkInformation* output);
+
   /// The ids of its cells in the joined mesh, by block, -1 of those that it does not count; nothing
   /// of data that cannot be brought, or without a transport. All must call it together.
   std::vector<std::vector<vtkIdType>> FindIds(vtkInformation* output, SkdTransport* transport);
@@ -144,6 +147,7 @@ private:
     std::vector<vtkSmartPointer<vtkInformationVector>>& retained,
     std::vector<vtkInformationVector*>& whole);
   bool CountCells(std::vector<vtkInformationVector*>& whole);
+  vtkMultiProcessController* FindCounting(vtkInformation* output) const;
   void AddStandIn(vtkInformationVector** all, int port, vtkInformationVector* inputs) const;
   void GatherInto(vtkInformationVector* inputs, int port, vtkDataObject* own);
   vtkDataObject* Gather(vtkDataObject* piece, std::pair<int, int> slot, vtkDataObject* own,
@@ -153,6 +157,7 @@ private:
     SkdSearchRange& range, vtkMultiProcessController* controller) const;
   SkdRepeatedId FindRepeatedId() const;
   bool CheckGlobalIds() const;
+  bool CheckKinds(vtkInformationVector* outputs) const;
   void Report(vtkInformationVector* outputs) const;
 
   vtkAlgorithm* Filter;
@@ -171,6 +176,7 @@ private:
   std::map<std::pair<int, int>, SkdNearbyInput> Nearby; // the same
   std::map<std::pair<int, int>, SpreadInput> Spread;
   SkdCountedInput Counted; // port 0
+  SkdCountedCells CountedPoints{ vtkDataObject::POINT };
 };
 }
 

@@ -355,8 +355,8 @@ void SkdNearbyInput::UpdateBlocks(SkdTransport& transport, vtkDataObject* piece)
   }
 }
 
-std::vector<std::vector<unsigned char>> SkdFindCountedCells(
-  SkdTransport& transport, vtkDataObject* piece)
+std::vector<std::vector<unsigned char>> SkdFindCountedElements(
+  SkdTransport& transport, vtkDataObject* piece, int type)
 {
   BlocksOfAll all(transport, piece);
   std::map<SkdBlockPath, std::vector<unsigned char>> ofPaths;
@@ -364,7 +364,8 @@ std::vector<std::vector<unsigned char>> SkdFindCountedCells(
   {
     vtkDataSet* const mesh = all.Own.at(path);
     const SkdAllFacts facts(transport, mesh);
-    ofPaths[path] = SkdFindCounted(transport, mesh, facts);
+    ofPaths[path] = type == vtkDataObject::POINT ? SkdFindCountedPoints(transport, mesh, facts)
+                                                 : SkdFindCounted(transport, mesh, facts);
   }
   std::vector<std::vector<unsigned char>> counted;
   for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(piece))

@@ -69,10 +69,10 @@ private:
   vtkSmartPointer<vtkDataObject> Nearby;
 };
 
-/// By block of this process's own piece (SkdBlocksOf), whether it counts each cell
-/// (SkdFindCounted). All processes must call it together.
-std::vector<std::vector<unsigned char>> SkdFindCountedCells(
-  SkdTransport& transport, vtkDataObject* piece);
+/// By block of this process's own piece (SkdBlocksOf), whether it counts each cell (SkdFindCounted)
+/// or point (vtkDataObject's type). All processes must call it together.
+std::vector<std::vector<unsigned char>> SkdFindCountedElements(
+  SkdTransport& transport, vtkDataObject* piece, int type);
 
 /// In the same way the joined ids of cells, -1 of those that do not count; `counted` says which do,
 /// an empty list: all.

@@ -211,6 +211,21 @@ std::vector<vtkIdType> SkdNumberCounted(SkdTransport& transport, vtkDataSet* pie
   return std::move(numbers.CellIds);
 }
 
+std::vector<unsigned char> SkdFindCountedPoints(
+  SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts)
+{
+  const std::vector<SkdPointOrigin> origins = SkdNumberPiece(transport, piece, facts).PointOrigins;
+  std::vector<unsigned char> counted(static_cast<std::size_t>(piece->GetNumberOfPoints()));
+  for (std::size_t point = 0; point < counted.size(); ++point)
+  {
+    const SkdPointOrigin& origin = origins[point];
+    const bool isOwn =
+      origin.Process == transport.GetRank() && origin.Point == static_cast<vtkIdType>(point);
+    counted[point] = static_cast<unsigned char>(isOwn ? 1 : 0);
+  }
+  return counted;
+}
+
 SkdPieceNumbers SkdNumberPiece(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts)
 {
   SkdPieceNumbers numbers;

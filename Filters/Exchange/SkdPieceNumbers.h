@@ -65,6 +65,11 @@ std::vector<vtkIdType> SkdNumberCounted(SkdTransport& transport, vtkDataSet* pie
 std::vector<unsigned char> SkdFindCounted(
   SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts);
 
+/// Whether each point of the piece is the one that the joined mesh has its data from: one of those
+/// that several pieces have is.
+std::vector<unsigned char> SkdFindCountedPoints(
+  SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts);
+
 ///@{
 /// Parts of it.
 /// Points and cells of one grid by their index in it.

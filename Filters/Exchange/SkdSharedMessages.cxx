@@ -230,7 +230,7 @@ std::vector<SkdSharedMessages::Speaker> SkdSharedMessages::FindSpeakers(
   return speakers;
 }
 
-SkdSharedMessages::Outcome SkdSharedMessages::SayOnce()
+SkdSharedMessages::Outcome SkdSharedMessages::SayOnce(bool isInPieces)
 {
   Outcome outcome;
   if (!this->Controller)
@@ -251,7 +251,8 @@ SkdSharedMessages::Outcome SkdSharedMessages::SayOnce()
   for (const Speaker& speaker : speakers)
   {
     outcome.IsErrorAnywhere = outcome.IsErrorAnywhere || speaker.Said.IsError;
-    const bool isOfPiece = !speaker.Said.IsError && speaker.Said.Text.rfind(OfPieces, 0) == 0;
+    const bool isOfPiece =
+      isInPieces && !speaker.Said.IsError && speaker.Said.Text.rfind(OfPieces, 0) == 0;
     if (speaker.Process == own && (!isOfPiece || speaker.Processes == processes))
     {
       Message message = speaker.Said;

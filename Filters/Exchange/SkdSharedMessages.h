@@ -44,9 +44,9 @@ public:
   /// All processes must call it together: each message is said by the first process that has it.
   /// Those that differ in numbers, and what follows these, are one, which says that other processes
   /// have the like.
-  /// Warnings of what "Input has no ..." are said if all have them: the pieces of some may be
-  /// empty.
-  Outcome SayOnce();
+  /// Where the Input is in pieces, warnings of what "Input has no ..." are said if all have them:
+  /// the pieces of some may be empty.
+  Outcome SayOnce(bool isInPieces);
 
 private:
   struct Message

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdSourceTrees.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,6 +38,9 @@ bool SkdSourceTrees::Tree::Update(vtkDataSet* mesh, double epsilon)
   {
     this->Mesh.Keep(mesh);
     this->Locator = SkdMakeLocator(this->Mesh.Get());
+    // What is wrong with the mesh the filter has said (SkdValidInput), once for all processes.
+    vtkNew<vtkCallbackCommand> unsaid;
+    this->Locator->AddObserver(vtkCommand::WarningEvent, unsaid);
   }
   return SkdBuildLocator(this->Locator, epsilon, !isSame);
 }

@@ -14,7 +14,8 @@ namespace skdtree
 {
 namespace
 {
-/// The part of an algorithm's progress that another one's is, and its abort.
+/// The part of an algorithm's progress that another one's is, its abort, and warnings: those of the
+/// algorithm itself are said once for all processes.
 struct Passing
 {
   vtkAlgorithm* To;
@@ -30,6 +31,19 @@ struct Passing
     if (SkdIsAborted(passing->To))
     {
       from->SetAbortExecute(1);
+    }
+  }
+
+  static void Warn(vtkObject*, unsigned long, void* self, void* given)
+  {
+    std::string text = given ? static_cast<const char*>(given) : "";
+    const std::string end = "): "; // of whose it is
+    const std::size_t at = text.find(end);
+    text.erase(0, at == std::string::npos ? 0 : at + end.size());
+    text.erase(text.find_last_not_of('\n') + 1);
+    if (text.rfind("Points that are not finite", 0) != 0) // of which the algorithm has warned
+    {
+      vtkWarningWithObjectMacro(static_cast<const Passing*>(self)->To, << text);
     }
   }
 };
@@ -122,8 +136,13 @@ void SkdRemapProbe::Map(vtkDataSet* block, vtkDataSet* donor, bool withCellData,
   command->SetClientData(&passing);
   command->SetCallback(&Passing::Pass);
   this->Prober->AddObserver(vtkCommand::ProgressEvent, command);
+  vtkNew<vtkCallbackCommand> warning;
+  warning->SetClientData(&passing);
+  warning->SetCallback(&Passing::Warn);
+  this->Prober->AddObserver(vtkCommand::WarningEvent, warning);
   this->Prober->Update();
   this->Prober->RemoveObserver(command);
+  this->Prober->RemoveObserver(warning);
   this->AddTo(block, settings, refused);
 }
 }

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cells that several processes have without ghost marks are listed once: rows of tables, intersections,
-hits, weights and overlaps are as many as those of one process, and in the same places. Run without
+"""Cells and points that several processes have without ghost marks are listed once: rows of tables,
+intersections, hits, weights and overlaps are as many as those of one process, and in the same places. Run without
 an argument this starts the processes; with the name of a file and partitions it is one of them, and
 writes there what it lists."""
 
@@ -39,6 +39,10 @@ def filters(partition):
     for lines in (0, 1):
         yield f"hits {lines}", simple.SkdTreeRays(Input=other, Source=cells, Start="Cell Centers",
             Along="Direction", Direction=[0.2, 0.3, 1.0], Hits="All Hits", GenerateLines=lines), (1,)
+    yield "hits from points", simple.SkdTreeRays(Input=other, Source=cells, Along="Direction",
+        Direction=[0.2, 0.3, 1.0], Hits="All Hits", GenerateLines=1), (1,)
+    yield "lines to closest points", simple.SkdTreeClosestPoint(
+        Input=other, Source=ball, GenerateLines=1), (1,)
     yield "lines", simple.SkdTreeProbe(Input=wire, Source=cells, ProbeLines=1), (1, 2)
     yield "overlaps", simple.SkdTreeRemap(Input=of("tiles", first=(0.9, 0, 0), count=7),
         Source=of("tiles"), Method="Conservative First Order", GenerateWeights=1,

@@ -74,7 +74,8 @@ void SkdClosestArrays::AddTo(
 }
 
 void SkdConnectClosest(const std::vector<SkdBlock>& meshes,
-  const std::vector<SkdClosestArrays>& answers, vtkPolyData* lines)
+  const std::vector<SkdClosestArrays>& answers,
+  const std::vector<std::vector<unsigned char>>& listed, vtkPolyData* lines)
 {
   struct Start
   {
@@ -89,9 +90,11 @@ void SkdConnectClosest(const std::vector<SkdBlock>& meshes,
   for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh)
   {
     data.push_back(meshes[mesh].Mesh->GetPointData());
+    const bool areAll = listed.empty() || listed[mesh].empty();
     for (vtkIdType i = 0; i < answers[mesh].GetNumberOfPoints(); ++i)
     {
-      if (answers[mesh].GetBlock(i) >= 0)
+      const bool isListed = areAll || listed[mesh][static_cast<std::size_t>(i)] != 0;
+      if (isListed && answers[mesh].GetBlock(i) >= 0)
       {
         double x[3];
         meshes[mesh].Mesh->GetPoint(i, x);
