@@ -32,6 +32,9 @@ except ImportError: # VTK 9.1
 PARTITIONS = ("cuts", "runs", "round robin", "one process", "some empty", "cuts, ghosts",
     "cuts, doubled", "everywhere", "round robin, global ids", "random")
 
+# If a list, the sources that source() makes are added to it, each with its mesh.
+MADE = None
+
 
 def sphere(radius=4.0, center=(0.0, 0.0, 0.0), theta=24, phi=24, has_normals=True):
     source = vtkSphereSource()
@@ -175,7 +178,10 @@ def source(maker, partition, **arguments):
     from paraview import simple
 
     producer = simple.TrivialProducer()
-    producer.GetClientSideObject().SetOutput(piece(globals()[maker](**arguments), partition))
+    mesh = piece(globals()[maker](**arguments), partition)
+    producer.GetClientSideObject().SetOutput(mesh)
+    if MADE is not None:
+        MADE.append((producer, mesh))
     return producer
 
 
