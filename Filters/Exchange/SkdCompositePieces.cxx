@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdCompositePieces.h"
 
+#include "Exchange/SkdTransport.h"
 #include "Pipeline/SkdBlocks.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -10,6 +11,9 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+
+#include <algorithm>
+#include <set>
 
 namespace skdtree
 {
@@ -179,6 +183,30 @@ void SkdUniteStructures(vtkDataObject* into, vtkDataObject* from)
     ours.CopyName(child, theirs);
     SkdUniteStructures(ours.Get(child), object);
   }
+}
+
+bool SkdAreNestedAlike(SkdTransport& transport, vtkDataObject* piece)
+{
+  constexpr int end = -1; // of a path
+  std::vector<int> own;
+  for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(piece))
+  {
+    own.insert(own.end(), leaf.Path.begin(), leaf.Path.end());
+    own.push_back(end);
+  }
+  std::set<SkdBlockPath> paths;
+  for (const std::vector<int>& some : SkdGatherRows(transport, own))
+  {
+    for (auto from = some.begin(); from != some.end();)
+    {
+      const auto to = std::find(from, some.end(), end);
+      paths.emplace(from, to);
+      from = to + 1;
+    }
+  }
+  const auto isWithin = [](const SkdBlockPath& path, const SkdBlockPath& next)
+  { return path.size() < next.size() && std::equal(path.begin(), path.end(), next.begin()); };
+  return std::adjacent_find(paths.begin(), paths.end(), isWithin) == paths.end();
 }
 
 void SkdSetBlock(vtkDataObject* composite, const SkdBlockPath& path, vtkDataSet* mesh)

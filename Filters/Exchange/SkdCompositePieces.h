@@ -16,6 +16,8 @@
 
 namespace skdtree
 {
+class SkdTransport;
+
 /// From the root to a data set: the indices of children. Empty if the data set is the object
 /// itself; of AMR data the flat index. In lexicographic order they are in that of flat indices.
 using SkdBlockPath = std::vector<int>;
@@ -35,6 +37,9 @@ vtkSmartPointer<vtkDataObject> SkdStructureOf(vtkDataObject* object);
 /// Adds the children that a process has and another has not, and their names. Does nothing for AMR
 /// data, whose structure all processes have.
 void SkdUniteStructures(vtkDataObject* into, vtkDataObject* from);
+
+/// Whether no process has a data set where another has blocks. All must call it together.
+bool SkdAreNestedAlike(SkdTransport& transport, vtkDataObject* piece);
 
 /// Puts a data set at its path.
 void SkdSetBlock(vtkDataObject* composite, const SkdBlockPath& path, vtkDataSet* mesh);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdFilterInputs.h"
 
+#include "Exchange/SkdCompositePieces.h"
 #include "Exchange/SkdSharedMessages.h"
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPartialArrays.h"
 #include "Pipeline/SkdPorts.h"
@@ -212,6 +214,23 @@ bool SkdFilterInputs::CheckKinds(vtkInformationVector* outputs) const
           << at % ports
           << " are not all meshes, or not all composite data of one class, on process "
           << "0 and process " << at / ports << ".");
+      return false;
+    }
+  }
+  return this->CheckNesting(controller);
+}
+
+bool SkdFilterInputs::CheckNesting(vtkMultiProcessController* controller) const
+{
+  for (std::size_t port = 0; port < this->Pieces.size(); ++port)
+  {
+    const auto transport =
+      SkdIsComposite(this->Pieces[port]) ? SkdMakeTransport(controller) : nullptr;
+    if (transport && !SkdAreNestedAlike(*transport, this->Pieces[port]))
+    {
+      vtkErrorWithObjectMacro(this->Filter,
+        "Blocks must be nested in the same way on all processes: of input port "
+          << port << " one process has a mesh where another has blocks.");
       return false;
     }
   }

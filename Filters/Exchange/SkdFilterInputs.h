@@ -158,6 +158,7 @@ private:
   SkdRepeatedId FindRepeatedId() const;
   bool CheckGlobalIds() const;
   bool CheckKinds(vtkInformationVector* outputs) const;
+  bool CheckNesting(vtkMultiProcessController* controller) const;
   void Report(vtkInformationVector* outputs) const;
 
   vtkAlgorithm* Filter;

@@ -11,7 +11,7 @@ import re
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringOutputWindow
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkPoints, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import (VTK_LINE, VTK_POLYGON, VTK_QUAD, VTK_TETRA, VTK_TRIANGLE,
     VTK_TRIANGLE_STRIP, VTK_VERTEX, vtkCellArray, vtkMultiBlockDataSet, vtkUnstructuredGrid)
 
@@ -86,6 +86,11 @@ def as_blocks(mesh):
     return blocks
 
 
+def with_other_nesting(mesh, rank, processes):
+    blocks = as_blocks(mesh)
+    return as_blocks(blocks) if rank == processes // 2 else blocks
+
+
 def with_other_cells(mesh, rank, processes):
     """A cell of another type each."""
     mesh = as_grid(without_arrays(mesh))
@@ -144,12 +149,13 @@ HARMS = {
     "short arrays on one": (of_one(with_short_arrays), False),
     "another class on one": (of_one(as_grid), False),
     "blocks on one": (of_one(as_blocks), False),
+    "blocks nested otherwise on one": (with_other_nesting, False),
     "no points on one": (of_one(lambda mesh: mesh.NewInstance()), False),
     "no cells on one": (of_one(without_cells), False),
     "repeated ids": (with_repeated_ids, False),
     "ids on some": (with_ids_on_some, False),
 }
-ERRORS = ("blocks on one", "repeated ids") # said if the case has any of it
+ERRORS = ("blocks on one", "blocks nested otherwise on one", "repeated ids") # said if the case has any of it
 
 
 def copy_of(mesh):
@@ -183,6 +189,7 @@ def update(case):
 
 
 def write(file, partitions):
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF) # messages are what is looked at
     found = {}
     for partition in partitions:
         skdpieces.MADE = []
