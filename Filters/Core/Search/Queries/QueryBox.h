@@ -87,7 +87,7 @@ SKD_FLATTEN void SetAround(
 
 /// The first of them.
 template <int D>
-QueryBox<D> OuterBox(const Frame<D>& frame, const Box<D>& box)
+SKD_FLATTEN QueryBox<D> OuterBox(const Frame<D>& frame, const Box<D>& box)
 {
   QueryBox<D> outer;
   ForEachAxis<D>([&](int axis)
