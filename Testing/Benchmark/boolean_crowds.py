@@ -7,8 +7,8 @@ of a run has it alone; Manifold's is its heap, which never shrinks.
 
 Run by pvpython with the package vtkskdtree:
     boolean_crowds.py [--manifold FOLDER] [CASE ...]
-A case is a union of dense:N or sparse:N (spheres), cubes:N (turned about one centre), boxes:N (at random) or
-grid:N (boxes that touch); or a difference: menger:DEPTH, plate:N (N holes at once) or chain:N (one by one).
+A case is a union of dense:N or sparse:N (spheres), cubes:N (turned about one centre), boxes:N (at random), grid:N (boxes
+that touch) or pair:FILE (a closed surface, .vtp, and itself turned); or a difference: menger:DEPTH, plate:N (N holes at once) or chain:N (one by one).
 FOLDER has node_modules/manifold-3d (npm install manifold-3d): Manifold in WebAssembly combines the same solids.
 """
 
@@ -24,6 +24,7 @@ import numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkskdtree import vtkSkdTreeBooleanOperation
 from vtkskdtree.meshes import surface
@@ -110,9 +111,23 @@ def menger(depth):
     return [box((0, 0, 0), (1, 1, 1))], tools
 
 
+def pair(file):
+    """Coordinates are of single precision, which Manifold has."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(file)
+    reader.Update()
+    points, cells = triangles(reader.GetOutput())
+    center, size = points.mean(axis=0), numpy.ptp(points, axis=0).max()
+    c, s = numpy.cos(0.5), numpy.sin(0.5)
+    moved = (points - center) @ [(c, s, 0), (-s, c, 0), (0, 0, 1)] + center + size * numpy.array((0.0155, 7e-4, 5e-4))
+    return [surface(x.astype(numpy.float32).astype(float), cells) for x in (points, moved)], []
+
+
 def solids(case):
     """What is united, and what is subtracted from it."""
-    kind, number = case.split(":")
+    kind, number = case.split(":", 1)
+    if kind == "pair":
+        return pair(number)
     count = int(number)
     random = numpy.random.default_rng(7)
     makers = {
