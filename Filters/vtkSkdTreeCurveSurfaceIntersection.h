@@ -63,9 +63,11 @@
  * Output port 2: the Input with the cell array SkdNumberOfHits (idtype; 0 for other cells).
  *
  * The tree is reused while the Source's points, cells and ghost marks keep their values. The answer
- * does not depend on the number of threads or processes. Each gathers the whole Source, or the
- * cells near its own curves (see SetSourceDistribution) if these are straight or VTK's curved
- * cells, CutCurves is off and Parts is not CONNECTED_PIECES.
+ * does not depend on the number of threads. Each of several processes gathers the whole Source, or
+ * the cells near its own curves (see SetSourceDistribution) if these are straight or VTK's curved
+ * cells, CutCurves is off and Parts is not CONNECTED_PIECES. Cells of different processes do not
+ * continue each other: an intersection at their joint is a point on both, and SkdCurveId,
+ * SkdCurveCellId and SkdHitNumber are those of the process's own piece.
  *
  * Bad input: cells that are not curves in Input or not surfaces in Source, curves with zero length
  * or a length outside 1e-140 to 1e140, coordinates that are not finite, Bezier weights that are not

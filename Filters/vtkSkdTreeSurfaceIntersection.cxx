@@ -281,7 +281,9 @@ vtkTypeBool vtkSkdTreeSurfaceIntersection::ProcessRequest(
 // are outer ones depends on the cells of other pieces.
 bool vtkSkdTreeSurfaceIntersection::NeedsWhole(int port)
 {
-  return this->IsSplitting() || this->Impl->HasVolumePieces || this->Superclass::NeedsWhole(port);
+  // One pair of all processes is wanted, not one of each.
+  return this->Pairs != ALL_PAIRS || this->IsSplitting() || this->Impl->HasVolumePieces ||
+    this->Superclass::NeedsWhole(port);
 }
 
 // Which of several pairs is found may depend on others, and a Source that moves is elsewhere.

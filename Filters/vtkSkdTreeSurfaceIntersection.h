@@ -84,7 +84,8 @@
  * have: segments and points on borders are listed once, and a curve over several processes is
  * joined by the one that has its longest part. Ids are those of cells in the joined pieces. An
  * Input in pieces with volume cells is gathered, too, because cells of other pieces have the other
- * sides of faces at its borders. Without a Source the first process computes all.
+ * sides of faces at its borders, and so it is where surfaces are split or one pair is wanted.
+ * Without a Source the first process computes all.
  *
  * Cost: O(n) to read, O(n log n) to build whole trees, O(k) typical for k pairs of overlapping
  * boxes.

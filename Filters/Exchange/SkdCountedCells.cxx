@@ -150,7 +150,7 @@ void SkdCountedInput::Restore(vtkInformationVector* outputs) const
         });
       vtkUnsignedCharArray* own =
         piece != pieces.end() ? piece->Mesh->GetCellGhostArray() : nullptr;
-      if (own && port == 0)
+      if (own && port == 0 && block.Mesh->GetCellGhostArray()) // a copy passed the marks on
       {
         block.Mesh->GetCellData()->AddArray(own);
       }

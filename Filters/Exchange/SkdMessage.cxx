@@ -11,6 +11,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkTable.h"
 
 #include <algorithm>
 
@@ -22,6 +23,31 @@ namespace
 constexpr vtkIdType LargestTransfer = vtkIdType(1) << 30;
 
 const char* const PathName = "path";
+const char* const StructureName = "structure";
+
+/// The structure of composite data as bytes: blocks can be no partitioned data sets.
+vtkSmartPointer<vtkTable> PackStructure(vtkDataObject* object)
+{
+  const vtkSmartPointer<vtkDataObject> structure = SkdStructureOf(object);
+  if (!structure)
+  {
+    return nullptr;
+  }
+  vtkNew<vtkCharArray> bytes;
+  bytes->SetName(StructureName);
+  vtkCommunicator::MarshalDataObject(structure, bytes);
+  vtkNew<vtkTable> table;
+  table->GetFieldData()->AddArray(bytes);
+  return table;
+}
+
+/// Nothing of a mesh.
+vtkSmartPointer<vtkDataObject> UnpackStructure(vtkDataObject* table)
+{
+  return table ? vtkCommunicator::UnMarshalDataObject(vtkCharArray::SafeDownCast(
+                   table->GetFieldData()->GetAbstractArray(StructureName)))
+               : nullptr;
+}
 
 /// The first block is the structure of composite data, the others are the data sets.
 void Pack(vtkDataObject* object, vtkCharArray* message)
@@ -29,7 +55,7 @@ void Pack(vtkDataObject* object, vtkCharArray* message)
   vtkNew<vtkMultiBlockDataSet> all;
   const std::vector<SkdLeafBlock> leaves = SkdLeafBlocksOf(object);
   all->SetNumberOfBlocks(static_cast<unsigned int>(leaves.size()) + 1);
-  all->SetBlock(0, SkdStructureOf(object));
+  all->SetBlock(0, PackStructure(object));
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
     const vtkSmartPointer<vtkTable> packed = SkdPack(leaves[i].Mesh);
@@ -47,7 +73,7 @@ vtkSmartPointer<vtkDataObject> Unpack(vtkCharArray* message)
 {
   vtkNew<vtkMultiBlockDataSet> all;
   vtkCommunicator::UnMarshalDataObject(message, all);
-  vtkSmartPointer<vtkDataObject> object = all->GetBlock(0);
+  vtkSmartPointer<vtkDataObject> object = UnpackStructure(all->GetBlock(0));
   for (unsigned int i = 1; i < all->GetNumberOfBlocks(); ++i)
   {
     auto* packed = vtkTable::SafeDownCast(all->GetBlock(i));

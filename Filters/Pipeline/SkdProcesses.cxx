@@ -124,9 +124,8 @@ void SkdShare::Keep(vtkPolyData* cells) const
   vtkNew<vtkPolyData> all;
   all->ShallowCopy(cells);
   all->BuildCells();
-  const vtkSmartPointer<vtkFieldData> report = cells->GetFieldData();
-  cells->Initialize();
-  cells->SetFieldData(report);
+  cells->Initialize(); // its field data, too
+  cells->GetFieldData()->ShallowCopy(all->GetFieldData());
   vtkNew<vtkPoints> points;
   points->SetDataType(all->GetPoints()->GetDataType());
   cells->SetPoints(points);
