@@ -246,12 +246,6 @@ struct BlocksOfAll
     }
   }
 };
-
-bool IsAny(SkdTransport& transport, bool here)
-{
-  const auto all = SkdGatherRows(transport, std::vector<unsigned char>(1, here ? 1 : 0));
-  return std::any_of(all.begin(), all.end(), [](const auto& one) { return one.front() != 0; });
-}
 }
 
 bool SkdCanBring(vtkDataObject* object)
@@ -295,9 +289,9 @@ vtkDataObject* SkdNearbyInput::Update(
 {
   SkdStamp newPiece(piece);
   SkdStamp newOwn(own);
-  const bool isNewPiece = IsAny(transport, newPiece != this->KnownPiece);
+  const bool isNewPiece = SkdIsAny(transport, newPiece != this->KnownPiece);
   const bool isNewOwn =
-    IsAny(transport, !this->Nearby || newOwn != this->KnownOwn || range != this->KnownRange);
+    SkdIsAny(transport, !this->Nearby || newOwn != this->KnownOwn || range != this->KnownRange);
   if (isNewPiece)
   {
     this->UpdateBlocks(transport, piece);
@@ -407,7 +401,7 @@ std::vector<std::vector<vtkIdType>> SkdNumberCountedCells(SkdTransport& transpor
 vtkDataObject* SkdNearbyInput::UpdateOwn(SkdTransport& transport, vtkDataObject* piece)
 {
   SkdStamp newPiece(piece);
-  if (IsAny(transport, !this->Nearby || newPiece != this->KnownPiece))
+  if (SkdIsAny(transport, !this->Nearby || newPiece != this->KnownPiece))
   {
     this->UpdateBlocks(transport, piece);
     this->Bring([&](const SkdSpreadBlock& block) { return block.BringOwn(transport); }, piece);

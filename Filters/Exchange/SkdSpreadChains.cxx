@@ -109,9 +109,7 @@ std::vector<SkdChain> SkdChooseChains(SkdTransport& transport,
   bool goesOn = true;
   while (goesOn)
   {
-    const unsigned char isNew = Extend(transport, rows) ? 1 : 0;
-    const auto all = SkdGatherRows(transport, std::vector<unsigned char>{ isNew });
-    goesOn = std::any_of(all.begin(), all.end(), [](const auto& one) { return one.front() != 0; });
+    goesOn = SkdIsAny(transport, Extend(transport, rows));
   }
   std::vector<SkdChain> chosen;
   for (std::size_t chain = 0; chain < lengths.size(); ++chain)

@@ -8,6 +8,7 @@
 #ifndef SkdTransport_h
 #define SkdTransport_h
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -145,6 +146,13 @@ SkdRowsByProcess<Row> SkdGatherRows(SkdTransport& transport, const std::vector<R
     all.push_back(SkdFromBytes<Row>(message));
   }
   return all;
+}
+
+/// Whether it is so on any process. All must call it together.
+inline bool SkdIsAny(SkdTransport& transport, bool here)
+{
+  const auto all = SkdGatherRows(transport, std::vector<unsigned char>(1, here ? 1 : 0));
+  return std::any_of(all.begin(), all.end(), [](const auto& one) { return one.front() != 0; });
 }
 
 /// Sends questions to each process, and returns the answers to them, in the order of the questions.

@@ -74,10 +74,7 @@ def write(file, partitions):
 
 
 def check(file, processes, partitions):
-    sizes = []
-    for rank in range(processes):
-        with open(file % rank, encoding="utf-8") as stream:
-            sizes.append(json.load(stream))
+    sizes = skdpieces.told(file, processes)
     drawn = 0
     for name in sizes[0]:
         aborts, fresh = zip(*(of_process[name] for of_process in sizes))

@@ -94,10 +94,7 @@ def check(file, processes, partitions):
     write(alone, ("one",))
     with open(alone, encoding="utf-8") as stream:
         expected = json.load(stream)
-    parts = []
-    for rank in range(processes):
-        with open(file % rank, encoding="utf-8") as stream:
-            parts.append(json.load(stream))
+    parts = skdpieces.told(file, processes)
     for title, answer_of_one in expected.items():
         assert answer_of_one, title
         answers = [part[title] for part in parts]

@@ -223,10 +223,7 @@ def check(file, processes, partitions):
     write(whole, partitions)
     with open(whole, encoding="utf-8") as stream:
         of_one_process = json.load(stream)
-    parts = []
-    for rank in range(processes):
-        with open(file % rank, encoding="utf-8") as stream:
-            parts.append(json.load(stream))
+    parts = skdpieces.told(file, processes)
     errors = dict.fromkeys(HARMS, 0)
     for title in parts[0]:
         name, harm = title.rsplit(", ", 1)

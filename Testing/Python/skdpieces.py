@@ -3,6 +3,7 @@
 """Meshes that lie in pieces on several processes, as a simulation leaves them: their source gives
 each process its own piece, whatever piece the pipeline asks for. In one process it gives all."""
 
+import json
 import os
 import shutil
 import sys
@@ -210,6 +211,15 @@ def run(script, runs, name, write, check):
             skdtesting.run_in_parallel(
                 os.path.abspath(script), "|".join((file, *partitions)), processes)
             check(file, processes, partitions)
+
+
+def told(file, processes):
+    """What each of these has written, as JSON."""
+    found = []
+    for rank in range(processes):
+        with open(file % rank, encoding="utf-8") as stream:
+            found.append(json.load(stream))
+    return found
 
 
 def points_of(mesh, cell):

@@ -68,6 +68,10 @@ std::size_t ProcessOf(const SkdContactKey& key, std::size_t processes)
   return static_cast<std::size_t>(key.Low % processes);
 }
 
+/// Instead of the number of a question: of a segment that no other process may have it is known.
+constexpr std::size_t IsKept = ~std::size_t(0);
+constexpr std::size_t IsLeftOut = IsKept - 1;
+
 /// How many segments end at a point.
 struct Degree
 {
@@ -144,12 +148,6 @@ SkdSpreadCurves::SkdSpreadCurves(
   }
 }
 
-bool SkdSpreadCurves::IsAny(bool here)
-{
-  const auto all = SkdGatherRows(this->Transport, std::vector<unsigned char>(1, here ? 1 : 0));
-  return std::any_of(all.begin(), all.end(), [](const auto& one) { return one.front() != 0; });
-}
-
 // Of those with a key the lowest candidate is output, unless something speaks against all.
 std::vector<unsigned char> SkdSpreadCurves::AskWhether(const std::vector<Question>& questions)
 {
@@ -197,7 +195,7 @@ std::vector<unsigned char> SkdSpreadCurves::AskWhether(const std::vector<Questio
 void SkdSpreadCurves::LeaveOutSegments(SkdCurveParts& parts, const FindLabel& labelOf)
 {
   std::vector<Question> questions;
-  std::vector<std::size_t> asked(parts.Segments.size(), ~std::size_t(0));
+  std::vector<std::size_t> asked(parts.Segments.size(), IsKept);
   const auto ask = [&](const SkdEndPair& ends, bool isCandidate, std::ptrdiff_t sides)
   {
     const SkdContactLabel label = labelOf(ends.Origin);
@@ -239,7 +237,7 @@ void SkdSpreadCurves::LeaveOutSegments(SkdCurveParts& parts, const FindLabel& la
     }
     else if (side - first >= 2)
     {
-      asked[i] = ~std::size_t(0) - 1;
+      asked[i] = IsLeftOut;
     }
   }
   askSidesBefore(parts.Sides.end());
@@ -247,7 +245,7 @@ void SkdSpreadCurves::LeaveOutSegments(SkdCurveParts& parts, const FindLabel& la
   std::size_t kept = 0;
   for (std::size_t i = 0; i < parts.Segments.size(); ++i)
   {
-    if (asked[i] < are.size() ? are[asked[i]] != 0 : asked[i] == ~std::size_t(0))
+    if (asked[i] < are.size() ? are[asked[i]] != 0 : asked[i] == IsKept)
     {
       parts.Segments[kept++] = parts.Segments[i];
     }
@@ -506,8 +504,9 @@ std::vector<SkdPolyline> SkdSpreadCurves::Join(
 void SkdSpreadCurves::LeaveOutRepeated(SkdCurveParts& parts, const FindLabel& labelOf)
 {
   this->LeaveOutSegments(parts, labelOf);
-  if (this->IsAny(std::any_of(parts.Lone.begin(), parts.Lone.end(),
-        [this](const SkdEndPair& lone) { return this->AreShared[lone.A] != 0; })))
+  if (SkdIsAny(this->Transport,
+        std::any_of(parts.Lone.begin(), parts.Lone.end(),
+          [this](const SkdEndPair& lone) { return this->AreShared[lone.A] != 0; })))
   {
     this->LeaveOutPoints(parts, labelOf);
   }
@@ -516,8 +515,9 @@ void SkdSpreadCurves::LeaveOutRepeated(SkdCurveParts& parts, const FindLabel& la
 SkdCurves SkdSpreadCurves::Find(
   SkdCurveParts parts, std::size_t pairs, const FindLabel& labelOf, bool areJoined)
 {
-  const bool areAnyShared = this->IsAny(std::any_of(
-    this->AreShared.begin(), this->AreShared.end(), [](unsigned char is) { return is != 0; }));
+  const bool areAnyShared = SkdIsAny(this->Transport,
+    std::any_of(
+      this->AreShared.begin(), this->AreShared.end(), [](unsigned char is) { return is != 0; }));
   if (areAnyShared)
   {
     this->LeaveOutRepeated(parts, labelOf);
@@ -545,7 +545,7 @@ SkdCurves SkdSpreadCurves::Find(
       chains.Lines.push_back(i);
     }
   }
-  if (areAnyShared && this->IsAny(!chains.Lines.empty()))
+  if (areAnyShared && SkdIsAny(this->Transport, !chains.Lines.empty()))
   {
     this->Choose(chains, curves, ends);
     if (areJoined)

@@ -50,7 +50,6 @@ private:
   struct Step;
   class Receiver;
 
-  bool IsAny(bool here);
   bool MayBeShared(const SkdEndPair& segment) const
   {
     return this->AreShared[segment.A] != 0 && this->AreShared[segment.B] != 0;
