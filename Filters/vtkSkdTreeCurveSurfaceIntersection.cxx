@@ -4,27 +4,31 @@
 
 #include "Curves/SkdCutCurves.h"
 #include "Curves/SkdSurfaceHitArrays.h"
+#include "Exchange/SkdFilterInputs.h"
+#include "Exchange/SkdTransport.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSearchRange.h"
 #include "Pipeline/SkdSetText.h"
 #include "Search/InOut/SkdPartList.h"
 #include "vtkCellData.h"
-#include "vtkIdList.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -39,6 +43,7 @@ public:
   std::vector<SkdBlock> Blocks; // of the Source, while it is looked at
   SkdSurfaceSet Surfaces;
   std::vector<std::vector<int>> Pieces; // of the Source's cells, when they are computed
+  bool IsInputGathered = false;         // which lies in pieces
 };
 
 namespace
@@ -64,104 +69,114 @@ void Select(vtkSkdTreeCurveSurfaceIntersection* self, SkdSurfaceHitTable& table)
   }
 }
 
-/// Makes `output` the Input, with how often each of its cells is hit.
-void CountHits(const SkdSurfaceHitTable& table, vtkDataObject* input, vtkDataObject* output)
+/// Calls visit(number of the curve, curve) for those that this process outputs.
+template <class Visit>
+void VisitOwn(const SkdCurveSet& curves, const std::vector<SkdBlock>& blocks, const Visit& visit)
 {
-  std::vector<vtkSmartPointer<vtkIdTypeArray>> counts;
+  std::vector<std::vector<unsigned char>> own;
+  for (const SkdBlock& block : blocks)
+  {
+    own.push_back(SkdOwnCellsOf(block.Mesh));
+  }
+  for (std::size_t number = 0; number < curves.GetCurves().size(); ++number)
+  {
+    const SkdCurve& curve = curves.GetCurves()[number];
+    const std::vector<unsigned char>& ofBlock = own[static_cast<std::size_t>(curve.Block)];
+    if (ofBlock.empty() || ofBlock[static_cast<std::size_t>(curve.CellId)] != 0)
+    {
+      visit(number, curve);
+    }
+  }
+}
+
+/// The number of each curve among those of all processes; -1: another one outputs it. Without a
+/// transport all are there.
+std::vector<vtkIdType> NumberCurves(
+  const SkdCurveSet& curves, const std::vector<SkdBlock>& blocks, SkdTransport* transport)
+{
+  std::vector<vtkIdType> numbers(curves.GetCurves().size());
+  if (!transport)
+  {
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+  }
+  const std::vector<SkdJoinedIds> joined = SkdJoinedIdsOf(blocks);
+  std::vector<std::vector<vtkIdType>> ids(blocks.size());
+  VisitOwn(curves, blocks,
+    [&](std::size_t, const SkdCurve& curve)
+    {
+      const auto block = static_cast<std::size_t>(curve.Block);
+      ids[block].push_back(joined[block].Of(curve.CellId));
+    });
+  ids = SkdRankOverProcesses(*transport, ids);
+  std::fill(numbers.begin(), numbers.end(), -1);
+  std::vector<std::size_t> next(blocks.size(), 0);
+  VisitOwn(curves, blocks,
+    [&](std::size_t number, const SkdCurve& curve)
+    {
+      const auto block = static_cast<std::size_t>(curve.Block);
+      numbers[number] = ids[block][next[block]++];
+    });
+  return numbers;
+}
+
+/// How often each cell of the blocks of curves is hit.
+std::vector<std::vector<vtkIdType>> CountHits(const SkdSurfaceHitTable& table)
+{
+  std::vector<std::vector<vtkIdType>> counts;
   for (const SkdBlock& block : table.CurveBlocks)
   {
-    auto count = SkdMakeArray<vtkIdTypeArray>("SkdNumberOfHits", 1, block.Mesh->GetNumberOfCells());
-    count->FillValue(0);
-    counts.push_back(count);
+    counts.emplace_back(static_cast<std::size_t>(block.Mesh->GetNumberOfCells()), 0);
   }
   for (const SkdSurfaceIntersection& intersection : table.Intersections)
   {
     const SkdCurve& curve = table.Curves.GetCurves()[intersection.Hit.Curve];
-    vtkIdTypeArray* count = counts[static_cast<std::size_t>(curve.Block)];
-    count->SetValue(curve.CellId, count->GetValue(curve.CellId) + 1);
+    ++counts[static_cast<std::size_t>(curve.Block)][static_cast<std::size_t>(curve.CellId)];
   }
+  return counts;
+}
+
+/// Makes `output` the Input, with these counts of the cells of those of its blocks that have any.
+void StoreCounts(
+  std::vector<std::vector<vtkIdType>> counts, vtkDataObject* input, vtkDataObject* output)
+{
+  counts.erase(std::remove(counts.begin(), counts.end(), std::vector<vtkIdType>()), counts.end());
   SkdMirror(input, output);
   std::size_t next = 0;
   for (const SkdBlock& mirror : SkdBlocksWithCells(SkdBlocksOf(output)))
   {
-    mirror.Mesh->GetCellData()->AddArray(counts[next++]);
+    const std::vector<vtkIdType>& ofBlock = counts[next++];
+    auto count =
+      SkdMakeArray<vtkIdTypeArray>("SkdNumberOfHits", 1, mirror.Mesh->GetNumberOfCells());
+    std::copy(ofBlock.begin(), ofBlock.end(), count->GetPointer(0));
+    mirror.Mesh->GetCellData()->AddArray(count);
     mirror.Mesh->GetCellData()->SetActiveScalars("SkdNumberOfHits");
   }
 }
 
-/// Of each block of curves, whether this process lists each cell; nothing: it does.
-using Listed = std::vector<std::vector<unsigned char>>;
-
-bool IsListed(const Listed& listed, int block, vtkIdType cell)
-{
-  const auto at = static_cast<std::size_t>(block);
-  return listed.empty() || listed[at].empty() || listed[at][static_cast<std::size_t>(cell)] != 0;
-}
-
-/// By block that has cells, as curves are read.
-Listed OfBlocksWithCells(Listed all, vtkDataObject* input)
-{
-  const std::vector<SkdBlock> blocks = SkdBlocksOf(input);
-  Listed listed;
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    if (blocks[i].Mesh->GetNumberOfCells() > 0)
-    {
-      listed.push_back(std::move(all[i]));
-    }
-  }
-  return listed;
-}
-
-void KeepListed(const Listed& listed, SkdSurfaceHitTable& table)
+/// Leaves out those of curves that other processes output.
+void KeepOwn(SkdSurfaceHitTable& table)
 {
   const auto isOther = [&](const SkdSurfaceIntersection& intersection)
-  {
-    const SkdCurve& curve = table.Curves.GetCurves()[intersection.Hit.Curve];
-    return !IsListed(listed, curve.Block, curve.CellId);
-  };
+  { return table.CurveNumbers[intersection.Hit.Curve] < 0; };
   table.Intersections.erase(
     std::remove_if(table.Intersections.begin(), table.Intersections.end(), isOther),
     table.Intersections.end());
 }
 
-/// Of curves that were cut.
-void KeepListed(const Listed& listed, const std::vector<SkdCurve>& curves, vtkPolyData* output)
-{
-  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetCellData()->GetArray("SkdCurveId"));
-  vtkNew<vtkIdList> kept;
-  for (vtkIdType cell = 0; ids && cell < output->GetNumberOfCells(); ++cell)
-  {
-    const SkdCurve& curve = curves[static_cast<std::size_t>(ids->GetValue(cell))];
-    if (IsListed(listed, curve.Block, curve.CellId))
-    {
-      kept->InsertNextId(cell);
-    }
-  }
-  if (!ids || kept->GetNumberOfIds() == output->GetNumberOfCells())
-  {
-    return;
-  }
-  vtkNew<vtkPolyData> all;
-  all->ShallowCopy(output);
-  all->BuildCells();
-  output->Initialize();
-  vtkNew<vtkPoints> points;
-  points->SetDataType(all->GetPoints()->GetDataType());
-  output->SetPoints(points);
-  output->AllocateProportional(all, 1.0);
-  output->GetPointData()->CopyAllOn();
-  output->GetPointData()->CopyAllocate(all->GetPointData());
-  output->GetCellData()->CopyAllOn();
-  output->GetCellData()->CopyAllocate(all->GetCellData());
-  output->CopyCells(all, kept);
-}
-
 void Report(const SkdSurfaceHitTable& table, double rounding, vtkPolyData* output)
 {
   SkdReport report(output);
-  report.AddCount("Curves", static_cast<vtkIdType>(table.Curves.GetCurves().size()));
-  report.AddCount("CurvePieces", static_cast<vtkIdType>(table.Curves.GetNumberOfPieces()));
+  vtkIdType curves = 0;
+  std::size_t pieces = 0;
+  VisitOwn(table.Curves, table.CurveBlocks,
+    [&](std::size_t, const SkdCurve& curve)
+    {
+      ++curves;
+      pieces += curve.LastPiece - curve.FirstPiece;
+    });
+  report.AddCount("Curves", curves);
+  report.AddCount("CurvePieces", static_cast<vtkIdType>(pieces));
   report.AddCount("SurfaceElements", static_cast<vtkIdType>(table.Surfaces.GetElements().size()));
   report.AddCount("Hits", static_cast<vtkIdType>(table.Intersections.size()));
   report.AddMeasure("Epsilon", table.Surfaces.GetAbsoluteEpsilon());
@@ -186,14 +201,29 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  const std::vector<SkdBlock> curveBlocks = SkdBlocksWithCells(SkdBlocksOf(input));
+  if (this->IsLeftToFirst(outputVector))
+  {
+    return 1; // the first piece has all
+  }
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  const std::unique_ptr<SkdTransport> transport = // between pieces of the Input
+    this->NeedsWhole(0) ? nullptr : SkdMakeTransport(SkdControllerOf(information));
+  vtkDataObject* const around = transport ? this->Inputs->BringAround(*transport) : input;
+  if (!around)
+  {
+    return 1;
+  }
+  const std::vector<SkdBlock> curveBlocks = // on all processes the same
+    transport ? SkdBlocksOf(around) : SkdBlocksWithCells(SkdBlocksOf(input));
   SkdStopwatch watch;
 
   const bool wasBuilt = this->UpdateSurfaces(source);
   const SkdSurfaceSet& surfaces = this->Impl->Surfaces;
   const std::vector<SkdBlock>& surfaceBlocks = this->Impl->Blocks;
   SkdCurveSet curves;
-  curves.Read(curveBlocks, this->FindPolylineForm());
+  curves.Read(
+    curveBlocks, this->FindPolylineForm(), transport ? SkdProcessesOf(information).get() : nullptr);
+  const std::vector<vtkIdType> numbers = NumberCurves(curves, curveBlocks, transport.get());
   this->WarnAboutInput("Input", curves.GetFaults(), curves.GetCurves().empty(), "curves");
   this->WarnAboutInput("Source", surfaces.GetFaults(), surfaces.GetElements().empty(), "surfaces");
   const double delta = curves.GetBounds().Diagonal() * this->FindChordTolerance();
@@ -201,20 +231,19 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
 
   const SkdSurfaceHitFinder finder(curves, surfaces, delta);
   SkdLoop loop(this, static_cast<vtkIdType>(curves.GetNumberOfPieces()), 0.2, 0.9);
-  SkdSurfaceHitTable table{ curves, curveBlocks, surfaces, surfaceBlocks, finder.Find(loop), {} };
+  SkdSurfaceHitTable table{ curves, curveBlocks, surfaces, surfaceBlocks, finder.Find(loop), {},
+    numbers };
   const double querySeconds = watch.Lap();
-  const Listed listed = OfBlocksWithCells(this->FindListedCells(outputVector), input);
 
   if (this->CutCurves)
   {
-    SkdCutCurves(
-      { curves, curveBlocks, surfaces.GetElements(), finder, SkdIsComposite(input), delta },
+    SkdCutCurves({ curves, curveBlocks, surfaces.GetElements(), finder, SkdIsComposite(input),
+                   delta, numbers },
       table.Intersections, vtkPolyData::GetData(outputVector, 1));
-    KeepListed(listed, curves.GetCurves(), vtkPolyData::GetData(outputVector, 1));
   }
   table.Intersections = finder.UniteAtJoints(std::move(table.Intersections));
-  CountHits(table, input, vtkDataObject::GetData(outputVector, 2));
-  KeepListed(listed, table);
+  this->StoreCountsOf(table, input, transport.get(), outputVector);
+  KeepOwn(table);
   Select(this, table);
   this->StoreHits(table, SkdIsComposite(input), SkdIsComposite(source), output);
   Report(table, finder.GetRounding(), output);
@@ -222,6 +251,43 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
   report.AddRun(wasBuilt ? 1 : 0, buildSeconds, "QuerySeconds", querySeconds);
   this->Impl->Blocks.clear();
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// Of cells that several processes have all tell how often they are hit.
+void vtkSkdTreeCurveSurfaceIntersection::StoreCountsOf(const SkdSurfaceHitTable& table,
+  vtkDataObject* input, SkdTransport* transport, vtkInformationVector* outputs)
+{
+  std::vector<std::vector<vtkIdType>> counts = CountHits(table);
+  if (transport)
+  {
+    counts = this->Inputs->GetAround().TakeBack(
+      counts, input, this->Inputs->FindIds(outputs->GetInformationObject(0), transport));
+    this->Inputs->AddTraffic(transport->GetTraffic());
+  }
+  StoreCounts(std::move(counts), input, vtkDataObject::GetData(outputs, 2));
+}
+
+//------------------------------------------------------------------------------
+// Whether curves go on in each other cannot be found out from pieces that cannot be brought.
+vtkTypeBool vtkSkdTreeCurveSurfaceIntersection::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    vtkInformation* output = outputVector->GetInformationObject(0);
+    const auto processes = SkdProcessesOf(output);
+    this->Impl->IsInputGathered = processes &&
+      processes->IsAny(!SkdCanBring(vtkDataObject::GetData(inputVector[0])) ||
+        !SkdMakeTransport(SkdControllerOf(output)));
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+bool vtkSkdTreeCurveSurfaceIntersection::NeedsWhole(int port)
+{
+  return this->Impl->IsInputGathered || this->Superclass::NeedsWhole(port);
 }
 
 //------------------------------------------------------------------------------

@@ -65,9 +65,13 @@
  * The tree is reused while the Source's points, cells and ghost marks keep their values. The answer
  * does not depend on the number of threads. Each of several processes gathers the whole Source, or
  * the cells near its own curves (see SetSourceDistribution) if these are straight or VTK's curved
- * cells, CutCurves is off and Parts is not CONNECTED_PIECES. Cells of different processes do not
- * continue each other: an intersection at their joint is a point on both, and SkdCurveId,
- * SkdCurveCellId and SkdHitNumber are those of the process's own piece.
+ * cells, CutCurves is off and Parts is not CONNECTED_PIECES. It has its own cells of the Input and
+ * gets those of other processes that may touch them, so that they continue each other: each
+ * intersection is output by one process, and SkdCurveId, SkdCurveCellId (the id in the joined
+ * pieces) and SkdHitNumber are those of all. Ties go to the lowest id there. SkdNumberOfHits is so
+ * of each cell that a process has, but 0 of ghosts, and of one that differs by rounding alone from
+ * the same cell of another process that counts it. An Input in AMR form, and without VTK's module
+ * ParallelDIY any, is gathered, and the first process outputs all.
  *
  * Bad input: cells that are not curves in Input or not surfaces in Source, curves with zero length
  * or a length outside 1e-140 to 1e140, coordinates that are not finite, Bezier weights that are not
@@ -95,6 +99,7 @@
 namespace skdtree
 {
 struct SkdSurfaceHitTable;
+class SkdTransport;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -181,11 +186,18 @@ public:
   vtkSkdTreeSwitchMacro(CutCurves);
   //@}
 
+  /**
+   * Finds out whether pieces of the Input can be exchanged: it is gathered if not.
+   */
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
 protected:
   vtkSkdTreeCurveSurfaceIntersection();
   ~vtkSkdTreeCurveSurfaceIntersection() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  bool NeedsWhole(int port) override;
   bool NeedsNearbySource(skdtree::SkdSearchRange& range) override;
 
   bool VolumeFaces = true;
@@ -200,6 +212,8 @@ private:
   void operator=(const vtkSkdTreeCurveSurfaceIntersection&) = delete;
 
   bool UpdateSurfaces(vtkDataObject* source);
+  void StoreCountsOf(const skdtree::SkdSurfaceHitTable& table, vtkDataObject* input,
+    skdtree::SkdTransport* transport, vtkInformationVector* outputs);
   void StoreHits(const skdtree::SkdSurfaceHitTable& table, bool hasCurveBlocks,
     bool hasSurfaceBlocks, vtkPolyData* output);
 

@@ -5,6 +5,7 @@
 #include "Cells/Curved/SkdBezierCell.h"
 #include "Core/Curves/ArcLength.h"
 #include "Core/Curves/BernsteinBasis.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdReport.h"
 #include "vtkCardinalSpline.h"
 #include "vtkCell.h"
@@ -130,7 +131,8 @@ SkdPolylineForm SkdPolylineForm::Of(int kind, double tension, double bias, doubl
 }
 
 //------------------------------------------------------------------------------
-void SkdCurveSet::Read(const std::vector<SkdBlock>& blocks, const SkdPolylineForm& form)
+void SkdCurveSet::Read(
+  const std::vector<SkdBlock>& blocks, const SkdPolylineForm& form, const skd::Processes* processes)
 {
   *this = SkdCurveSet();
   this->Blocks = blocks;
@@ -139,15 +141,39 @@ void SkdCurveSet::Read(const std::vector<SkdBlock>& blocks, const SkdPolylineFor
   {
     vtkDataSet* mesh = blocks[block].Mesh;
     vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+    const std::vector<unsigned char> own = SkdOwnCellsOf(mesh);
     for (vtkIdType cellId = 0; cellId < mesh->GetNumberOfCells(); ++cellId)
     {
-      if (!IsGhost(ghosts, cellId))
+      if (IsGhost(ghosts, cellId))
       {
-        this->ReadCell(mesh, static_cast<int>(block), cellId);
+        continue;
+      }
+      const Faults before = this->Found;
+      this->ReadCell(mesh, static_cast<int>(block), cellId);
+      if (!own.empty() && own[static_cast<std::size_t>(cellId)] == 0)
+      {
+        this->Found = before;
       }
     }
   }
+  if (processes)
+  {
+    this->AddBoundsOf(*processes);
+  }
   this->JoinEnds();
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::AddBoundsOf(const skd::Processes& processes)
+{
+  const skd::Vector3& low = this->Bounds.Min;
+  const skd::Vector3& high = this->Bounds.Max;
+  for (const std::vector<double>& other :
+    processes.GatherFromOthers({ low[0], low[1], low[2], high[0], high[1], high[2] }))
+  {
+    this->Bounds.Add(
+      skd::Box3{ { { other[0], other[1], other[2] } }, { { other[3], other[4], other[5] } } });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -199,7 +225,7 @@ void SkdCurveSet::ReadCell(vtkDataSet* mesh, int block, vtkIdType cellId)
   vtkCell* cell = mesh->GetCell(cellId);
   if (cell->GetCellDimension() != 1)
   {
-    ++this->NotCurves;
+    ++this->Found.NotCurves;
     return;
   }
   SkdCurve curve{ block, cellId, this->Pieces.size(), 0, 1, false, 0.0 };
@@ -216,7 +242,7 @@ bool SkdCurveSet::AddPolyline(vtkCell* cell, SkdCurve& curve)
   const std::vector<skd::Vector3> points = PointsOf(cell);
   if (!AreFinite(points))
   {
-    ++this->NotFinite;
+    ++this->Found.NotFinite;
     return false;
   }
   const bool isClosed = points.size() > 2 && points.front() == points.back();
@@ -289,16 +315,16 @@ bool SkdCurveSet::AddNative(vtkCell* cell)
     case SkdBezierFault::None:
       break;
     case SkdBezierFault::Weight:
-      ++this->BadWeights;
+      ++this->Found.BadWeights;
       return false;
     case SkdBezierFault::Coordinate:
-      ++this->NotFinite;
+      ++this->Found.NotFinite;
       return false;
     case SkdBezierFault::Degree:
-      ++this->TooHigh;
+      ++this->Found.TooHigh;
       return false;
     default:
-      ++this->NotCurves;
+      ++this->Found.NotCurves;
       return false;
   }
   const skd::Box3 bounds = read.Form.Bounds();
@@ -323,7 +349,7 @@ void SkdCurveSet::Close(SkdCurve& curve)
   curve.LastPiece = this->Pieces.size();
   if (curve.FirstPiece == curve.LastPiece)
   {
-    ++this->NoLength;
+    ++this->Found.NoLength;
     return;
   }
   skd::Box3 bounds;
@@ -338,7 +364,7 @@ void SkdCurveSet::Close(SkdCurve& curve)
   }
   if (!(curve.Length >= LeastLength && curve.Length <= 1.0 / LeastLength))
   {
-    ++this->NotMeasurable;
+    ++this->Found.NotMeasurable;
     this->Points.resize(this->Pieces[curve.FirstPiece].FirstPoint);
     this->Pieces.resize(curve.FirstPiece);
     return;
@@ -407,11 +433,11 @@ void SkdCurveSet::GetWeights(
 //------------------------------------------------------------------------------
 std::vector<std::string> SkdCurveSet::GetFaults() const
 {
-  return SkdFaultsOf(
-    { { this->NotCurves, " cells are not curves" }, { this->NoLength, " curves have zero length" },
-      { this->NotFinite, " curves have points that are not finite" },
-      { this->BadWeights, " curves have a weight that is not positive" },
-      { this->NotMeasurable, " curves are longer than 1e140 or shorter than 1e-140" },
-      { this->TooHigh, " curves have a degree above 10" } });
+  return SkdFaultsOf({ { this->Found.NotCurves, " cells are not curves" },
+    { this->Found.NoLength, " curves have zero length" },
+    { this->Found.NotFinite, " curves have points that are not finite" },
+    { this->Found.BadWeights, " curves have a weight that is not positive" },
+    { this->Found.NotMeasurable, " curves are longer than 1e140 or shorter than 1e-140" },
+    { this->Found.TooHigh, " curves have a degree above 10" } });
 }
 }

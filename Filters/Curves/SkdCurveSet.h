@@ -9,6 +9,7 @@
 #define SkdCurveSet_h
 
 #include "Core/Curves/BezierCurve.h"
+#include "Core/Parallel/Processes.h"
 #include "Curves/SkdCurveJoints.h"
 #include "Pipeline/SkdBlocks.h"
 
@@ -60,8 +61,10 @@ class SkdCurveSet
 {
 public:
   /// Reads lines, polylines, quadratic, cubic, Lagrange and Bezier curves. Pieces and curves of
-  /// zero length, ghosts, and the curves reported by GetFaults() are ignored.
-  void Read(const std::vector<SkdBlock>& blocks, const SkdPolylineForm& form);
+  /// zero length, ghosts, and the curves reported by GetFaults() are ignored. With processes, each
+  /// has some of the cells, and what is relative to the size of the curves is so to that of all.
+  void Read(const std::vector<SkdBlock>& blocks, const SkdPolylineForm& form,
+    const skd::Processes* processes = nullptr);
 
   const std::vector<SkdCurve>& GetCurves() const { return this->Curves; }
   std::size_t GetNumberOfPieces() const { return this->Pieces.size(); }
@@ -80,6 +83,7 @@ public:
   /// The points of the cell and their interpolation weights: linear between points of a polyline.
   void GetWeights(std::size_t piece, double t, vtkIdList* ids, std::vector<double>& weights) const;
 
+  /// Of the curves of all processes.
   const skd::Box3& GetBounds() const { return this->Bounds; }
 
   /// Joints of cells whose ends coincide to within rounding.
@@ -89,7 +93,8 @@ public:
   /// or ends, to within `slack`; the joint there.
   bool IsAtEnd(std::size_t curve, double u, double slack, std::size_t& joint) const;
 
-  /// Messages about cells that could not be read: "3 cells are not curves".
+  /// Messages about cells that could not be read: "3 cells are not curves". Of a mesh that has
+  /// cells of other processes, too, its own are counted (SkdOwnCellsOf).
   std::vector<std::string> GetFaults() const;
 
 private:
@@ -111,6 +116,18 @@ private:
   bool AddNative(vtkCell* cell);
   void Close(SkdCurve& curve);
   void JoinEnds();
+  void AddBoundsOf(const skd::Processes& processes);
+
+  /// Cells that are not read.
+  struct Faults
+  {
+    vtkIdType NotCurves = 0;
+    vtkIdType NoLength = 0;
+    vtkIdType NotFinite = 0;
+    vtkIdType NotMeasurable = 0;
+    vtkIdType BadWeights = 0;
+    vtkIdType TooHigh = 0;
+  };
 
   std::vector<SkdBlock> Blocks;
   std::vector<SkdCurve> Curves;
@@ -119,12 +136,7 @@ private:
   skd::Box3 Bounds;
   SkdCurveJoints Joints;
   SkdPolylineForm Form;
-  vtkIdType NotCurves = 0;
-  vtkIdType NoLength = 0;
-  vtkIdType NotFinite = 0;
-  vtkIdType NotMeasurable = 0;
-  vtkIdType BadWeights = 0;
-  vtkIdType TooHigh = 0;
+  Faults Found;
 };
 }
 

@@ -3,6 +3,7 @@
 #include "Curves/SkdCutCurves.h"
 
 #include "Curves/SkdCurveSpans.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -56,6 +57,7 @@ public:
   Cutter(const SkdCutTask& task, vtkPolyData* output)
     : Task(task)
     , Output(output)
+    , JoinedIds(SkdJoinedIdsOf(task.CurveBlocks))
   {
     this->Points->SetDataTypeToDouble();
   }
@@ -149,8 +151,9 @@ private:
     }
     const SkdCurve& curve = this->Task.Curves.GetCurves()[number];
     this->Lines->InsertNextCell(static_cast<vtkIdType>(this->Ids.size()), this->Ids.data());
-    this->CurveIds->InsertNextValue(static_cast<vtkIdType>(number));
-    this->CellIds->InsertNextValue(curve.CellId);
+    this->CurveIds->InsertNextValue(this->Task.Numbers[number]);
+    this->CellIds->InsertNextValue(
+      this->JoinedIds[static_cast<std::size_t>(curve.Block)].Of(curve.CellId));
     this->CurveBlocks->InsertNextValue(
       this->Task.CurveBlocks[static_cast<std::size_t>(curve.Block)].BlockIndex);
     this->Numbers->InsertNextValue(this->Number++);
@@ -160,6 +163,7 @@ private:
 
   const SkdCutTask& Task;
   vtkPolyData* Output;
+  std::vector<SkdJoinedIds> JoinedIds;
   std::vector<vtkIdType> Ids;
   vtkIdType Number = 0;
   vtkNew<vtkPoints> Points;
@@ -189,7 +193,10 @@ void SkdCutCurves(const SkdCutTask& task, const std::vector<SkdSurfaceIntersecti
     {
       ++next;
     }
-    cutter.CutCurve(curve, first, next);
+    if (task.Numbers[curve] >= 0)
+    {
+      cutter.CutCurve(curve, first, next);
+    }
   }
   cutter.Store(task.IsComposite);
 }

@@ -18,6 +18,9 @@ struct SkdCutTask
   const SkdSurfaceHitFinder& Finder;
   bool IsComposite; ///< the curves' data set
   double Delta;     ///< chord tolerance of what becomes a polyline
+
+  /// Of each curve among all that all processes read; -1: another process outputs it.
+  const std::vector<vtkIdType>& Numbers;
 };
 
 /// Fills `output` with the curves cut at the intersections (by curve, and along it), each piece

@@ -127,11 +127,16 @@ void SkdStoreSurfaceHits(const SkdSurfaceHitTable& table, vtkPolyData* output)
   using Intersection = SkdSurfaceIntersection;
   const auto& curves = table.Curves.GetCurves();
   const std::vector<SkdJoinedIds> joined = SkdJoinedIdsOf(table.SurfaceBlocks);
+  const std::vector<SkdJoinedIds> ofCurves = SkdJoinedIdsOf(table.CurveBlocks);
   AddVertices(table, output);
   AddColumn<vtkIdTypeArray>(table, output, "SkdCurveId",
-    [](const Intersection& one) { return static_cast<vtkIdType>(one.Hit.Curve); });
+    [&](const Intersection& one) { return table.CurveNumbers[one.Hit.Curve]; });
   AddColumn<vtkIdTypeArray>(table, output, "SkdCurveCellId",
-    [&](const Intersection& one) { return curves[one.Hit.Curve].CellId; });
+    [&](const Intersection& one)
+    {
+      const SkdCurve& curve = curves[one.Hit.Curve];
+      return ofCurves[static_cast<std::size_t>(curve.Block)].Of(curve.CellId);
+    });
   AddColumn<vtkDoubleArray>(table, output, "SkdCurveParameter",
     [&](const Intersection& one) { return table.Curves.GetParameter(one.Hit.Piece, one.Hit.T); });
   AddColumn<vtkDoubleArray>(table, output, "SkdArcLength",

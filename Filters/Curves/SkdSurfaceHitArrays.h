@@ -19,7 +19,8 @@ struct SkdSurfaceHitTable
   const SkdSurfaceSet& Surfaces;
   const std::vector<SkdBlock>& SurfaceBlocks;
   std::vector<SkdSurfaceIntersection> Intersections;
-  std::vector<vtkIdType> Numbers; ///< of each intersection along its curve, from 1
+  std::vector<vtkIdType> Numbers;             ///< of each intersection along its curve, from 1
+  const std::vector<vtkIdType>& CurveNumbers; ///< of each curve among all that all processes read
 };
 
 /// Fills `output` with a vertex for each intersection and the arrays that

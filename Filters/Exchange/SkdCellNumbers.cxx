@@ -178,15 +178,9 @@ private:
   /// The first id of each kind, and how many of it earlier processes have.
   std::vector<vtkIdType> FirstIds(const std::vector<vtkIdType>& counts)
   {
-    std::vector<vtkIdType> first;
-    vtkIdType before = 0;
-    for (const SkdRunningSum& sum : SkdSumOver(this->Transport, counts))
-    {
-      first.push_back(before + sum.Before);
-      before += sum.All;
-    }
-    this->Numbers.NumberOfCells = before;
-    return first;
+    SkdKindNumbers numbers = SkdNumberKinds(this->Transport, counts);
+    this->Numbers.NumberOfCells = numbers.All;
+    return std::move(numbers.First);
   }
 
   // Those of the first piece first.

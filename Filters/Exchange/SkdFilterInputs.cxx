@@ -162,7 +162,7 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
   {
     this->GatherAll(valid.Get(), outputs, retained, whole);
   }
-  const bool isFit = areAlike && this->CheckGlobalIds();
+  const bool isFit = areAlike && this->CheckGlobalIds(this->FindRepeatedId());
   const bool isCounted = isFit && this->CountCells(whole);
   int result = isFit ? process(whole.data()) : 0;
   this->Pieces.clear(); // or their data would stay
@@ -399,9 +399,8 @@ SkdRepeatedId SkdFilterInputs::FindRepeatedId() const
 }
 
 // The same on all processes.
-bool SkdFilterInputs::CheckGlobalIds() const
+bool SkdFilterInputs::CheckGlobalIds(const SkdRepeatedId& repeated) const
 {
-  const SkdRepeatedId repeated = this->FindRepeatedId();
   if (repeated.IsThere)
   {
     vtkErrorWithObjectMacro(this->Filter,
@@ -502,6 +501,12 @@ std::vector<std::vector<vtkIdType>> SkdFilterInputs::FindIds(
   return transport && SkdCanBring(this->GetPiece(0))
     ? this->Counted.FindIds(this->GetPiece(0), SkdControllerOf(output), *transport)
     : std::vector<std::vector<vtkIdType>>();
+}
+
+vtkDataObject* SkdFilterInputs::BringAround(SkdTransport& transport)
+{
+  vtkDataObject* around = this->Around.Update(transport, this->GetPiece(0));
+  return this->CheckGlobalIds(this->Around.FindRepeatedId()) ? around : nullptr;
 }
 
 vtkDataObject* SkdFilterInputs::GatherSpread(int port)

@@ -10,6 +10,7 @@
 #define SkdFilterInputs_h
 
 #include "Exchange/SkdCountedCells.h"
+#include "Exchange/SkdInputAround.h"
 #include "Exchange/SkdNearbyInput.h"
 #include "Exchange/SkdSpreadSource.h"
 #include "Exchange/SkdWholeInput.h"
@@ -121,6 +122,12 @@ public:
   /// of data that cannot be brought, or without a transport. All must call it together.
   std::vector<std::vector<vtkIdType>> FindIds(vtkInformation* output, SkdTransport* transport);
 
+  /// An input of port 0 that stays in its pieces, with the cells of other processes that its own
+  /// may touch: see SkdInputAround. nullptr, with an error, if global ids cannot join them. All
+  /// must call it together.
+  vtkDataObject* BringAround(SkdTransport& transport);
+  const SkdInputAround& GetAround() const { return this->Around; }
+
   /// All of such an input, where its pieces turn out not to do: from now on it was gathered. All
   /// processes must call it together.
   vtkDataObject* GatherSpread(int port);
@@ -156,7 +163,7 @@ private:
   bool IsExchanged(vtkDataObject* piece, vtkDataObject* own, int port, SkdTransport* transport,
     SkdSearchRange& range, vtkMultiProcessController* controller) const;
   SkdRepeatedId FindRepeatedId() const;
-  bool CheckGlobalIds() const;
+  bool CheckGlobalIds(const SkdRepeatedId& repeated) const;
   bool CheckKinds(vtkInformationVector* outputs) const;
   bool CheckNesting(vtkMultiProcessController* controller) const;
   void Report(vtkInformationVector* outputs) const;
@@ -177,6 +184,7 @@ private:
   std::map<std::pair<int, int>, SkdNearbyInput> Nearby; // the same
   std::map<std::pair<int, int>, SpreadInput> Spread;
   SkdCountedInput Counted; // port 0
+  SkdInputAround Around;   // likewise
   SkdCountedCells CountedPoints{ vtkDataObject::POINT };
 };
 }

@@ -155,6 +155,17 @@ std::vector<SkdRunningSum> SkdSumOver(
   return sums;
 }
 
+SkdKindNumbers SkdNumberKinds(SkdTransport& transport, const std::vector<vtkIdType>& counts)
+{
+  SkdKindNumbers numbers;
+  for (const SkdRunningSum& sum : SkdSumOver(transport, counts))
+  {
+    numbers.First.push_back(numbers.All + sum.Before);
+    numbers.All += sum.All;
+  }
+  return numbers;
+}
+
 SkdRepeatedId SkdFirstRepeatedId(SkdTransport& transport, const SkdRepeatedId& own)
 {
   SkdRepeatedId first;

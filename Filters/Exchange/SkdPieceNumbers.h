@@ -109,6 +109,14 @@ struct SkdRunningSum
 };
 std::vector<SkdRunningSum> SkdSumOver(
   SkdTransport& transport, const std::vector<vtkIdType>& numbers);
+
+/// What is numbered kind by kind, and of each kind process by process.
+struct SkdKindNumbers
+{
+  std::vector<vtkIdType> First; ///< by kind, of this process
+  vtkIdType All = 0;            ///< of all kinds and processes
+};
+SkdKindNumbers SkdNumberKinds(SkdTransport& transport, const std::vector<vtkIdType>& counts);
 ///@}
 }
 
