@@ -13,8 +13,8 @@
 
 namespace skdtree
 {
-/// Merges points of equal coordinates, by a hash table with open addressing, so that a point costs
-/// one or two memory accesses.
+/// Merges points of equal coordinates, also of those that are not numbers, by a hash table with
+/// open addressing, so that a point costs one or two memory accesses.
 class SkdWeld
 {
 public:
@@ -74,12 +74,16 @@ private:
   {
     const std::size_t mask = this->Slots.size() - 1;
     std::size_t at = HashOf(point) & mask;
-    while (
-      this->Slots[at] >= 0 && !(this->Points[static_cast<std::size_t>(this->Slots[at])] == point))
+    while (this->Slots[at] >= 0 && !this->HaveSameBits(this->Slots[at], point))
     {
       at = (at + 1) & mask;
     }
     return this->Slots[at];
+  }
+
+  bool HaveSameBits(vtkIdType id, const skd::Vector3& point) const
+  {
+    return std::memcmp(this->Points[static_cast<std::size_t>(id)].X, point.X, sizeof(point.X)) == 0;
   }
 
   void Grow()

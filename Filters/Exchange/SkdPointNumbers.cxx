@@ -216,7 +216,7 @@ private:
     return neighbours;
   }
 
-  /// The points that are in them, and no others are another piece's, too.
+  /// The points that are in them, or nowhere; no others are another piece's, too.
   std::vector<vtkIdType> FindPointsIn(
     const std::vector<skd::Box3>& neighbours, const SkdRounding& rounding) const
   {
@@ -228,6 +228,11 @@ private:
     }
     const auto visit = [&](vtkIdType point, const skd::Vector3& x)
     {
+      if (!SkdHasDistances(x)) // nowhere: any other piece may have it
+      {
+        points.push_back(point);
+        return;
+      }
       if (std::none_of(
             wide.begin(), wide.end(), [&x](const skd::Box3& other) { return other.Contains(x); }))
       {
@@ -240,7 +245,7 @@ private:
         points.push_back(point);
       }
     };
-    if (!neighbours.empty())
+    if (this->Facts.GetFull().size() > 1)
     {
       SkdVisitPoints(this->Piece, visit);
     }
@@ -299,8 +304,9 @@ private:
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       cut.FindOverlapping(Around(boxes[i], rounding), owners);
-      if (std::all_of(owners.begin(), owners.end(),
-            [this](int process) { return process == this->Transport.GetRank(); }))
+      if (!boxes[i].IsEmpty() &&
+        std::all_of(owners.begin(), owners.end(),
+          [this](int process) { return process == this->Transport.GetRank(); }))
       {
         continue;
       }

@@ -14,6 +14,7 @@ import skdtesting
 
 RUNS = {2: ("cuts, doubled",), 3: ("random",)}
 INPUTS = "hits of curves"
+LEFT_OUT = "cells left out"
 
 
 def filters(partition):
@@ -77,6 +78,28 @@ def hits_of_curves(partition):
     return numpy.hstack([skdpieces.locations(data, of_cells=True), hits.reshape(-1, 1)])
 
 
+def cells_left_out(partition):
+    """How many cells a filter says it has left out that have a point which is not finite: of the
+    Source, of which each process has all or those that may be near, as one number each."""
+    from paraview import simple
+
+    def faces(value, several):
+        mesh = skdpieces.sphere(theta=8, phi=8, has_normals=False)
+        points = vtk_to_numpy(mesh.GetPoints().GetData())
+        points[numpy.flatnonzero(points[:, 0] > 1.0)[:several]] = value
+        return mesh
+
+    counts = []
+    for value, several in ((numpy.nan, 1), (numpy.nan, 4), (numpy.inf, 1)):
+        producer = simple.TrivialProducer()
+        producer.GetClientSideObject().SetOutput(skdpieces.piece(faces(value, several), partition))
+        proxy = simple.SkdTreeSurfaceIntersection(SourceDistribution="Replicate", Source=producer,
+            Input=skdpieces.source("sphere", partition, radius=3.0, center=(1.2, 0.5, 0.2)))
+        proxy.UpdatePipeline()
+        counts.append(skdexchange.report_of(proxy, "FacesLeftOut"))
+    return numpy.array([counts])
+
+
 def write(file, partitions):
     found = {}
     for partition in partitions:
@@ -88,6 +111,7 @@ def write(file, partitions):
                 for port, data in zip(ports, outputs):
                     found[f"{partition}, {name}, {distribution}, port {port}"] = rows_of(data)
         found[f"{partition}, {INPUTS}"] = hits_of_curves(partition)
+        found[f"{partition}, {LEFT_OUT}"] = cells_left_out(partition)
     numpy.savez(file, **found)
 
 
@@ -102,7 +126,7 @@ def check(file, processes, partitions):
     parts = [dict(numpy.load(file % rank)) for rank in range(processes)]
     for name, rows in numpy.load(whole).items():
         together = numpy.vstack([part[name] for part in parts])
-        first, second = (in_order(each, name.endswith(INPUTS)) for each in (rows, together))
+        first, second = (in_order(each, name.endswith((INPUTS, LEFT_OUT))) for each in (rows, together))
         assert len(first) > 0 and first.shape == second.shape, (name, first.shape, second.shape)
         numpy.testing.assert_allclose(first, second, atol=2e-6, err_msg=name)
 
