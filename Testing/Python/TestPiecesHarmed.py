@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bad pieces of meshes, with some filters: no process hangs or crashes, each message is said once, there
+"""Bad pieces of meshes, with every filter: no process hangs or crashes, each message is said once, there
 is at most one error, and the next request, for good pieces, has the answer that it has without the bad
 ones before. What is wrong with the whole gives as many cells on four processes as on one. Run without
 an argument this starts the processes; with the name of a file and partitions it is one of them, and
@@ -21,9 +21,14 @@ import skdpieces
 import skdtesting
 
 RUNS = {4: ("cuts",)}
-# Cases in pieces and gathered; any of skdcases.py may be here.
+# Cases in pieces and gathered, with all that may be wrong; any of skdcases.py may be here.
 CASES = ("closest data", "in a mesh", "rays along normals found", "thickness", "intersection",
     "remap from pieces", "overlapping cells")
+# Of the other filters and ways a case each, with what they do not all share with these.
+MORE_CASES = ("closest signed", "inside", "probe", "boolean", "compared", "adapted",
+    "remap conservatively", "grid near surfaces", "refined", "curves and a surface", "curves")
+MORE_HARMS = ("good", "other cells", "a point that is not finite", "nothing anywhere",
+    "other arrays on one", "no points on one", "no cells on one", "repeated ids")
 
 
 def both_data(mesh):
@@ -158,6 +163,18 @@ HARMS = {
 ERRORS = ("blocks on one", "blocks nested otherwise on one", "repeated ids") # said if the case has any of it
 
 
+def cases(partition):
+    """Those of skdcases.py, and of curves."""
+    from paraview import simple
+
+    yield from skdcases.cases(partition)
+    wire = skdpieces.source("wire", partition, end=(8, 7, 5))
+    yield "curves and a surface", skdcases.Case(simple.SkdTreeCurveSurfaceIntersection(
+        Input=wire, Source=skdpieces.source("sphere", partition), CutCurves=1), [])
+    yield "curves", skdcases.Case(simple.SkdTreeCurveIntersection(Input=wire,
+        Source=skdpieces.source("wire", partition, count=20, end=(8, 7, 5.5))), [])
+
+
 def copy_of(mesh):
     copy = mesh.NewInstance()
     copy.DeepCopy(mesh)
@@ -193,14 +210,15 @@ def write(file, partitions):
     found = {}
     for partition in partitions:
         skdpieces.MADE = []
-        for name, case in skdcases.cases(partition):
-            if name not in CASES:
+        for name, case in cases(partition):
+            if name not in CASES + MORE_CASES:
                 continue
             if "SourceDistribution" in case.proxy.ListProperties():
                 case.proxy.SourceDistribution = "Exchange"
             made = list(skdpieces.MADE)
             for harm, (function, is_of_whole) in HARMS.items():
-                if is_of_whole or skdpieces.process()[1] > 1:
+                is_asked = name in CASES or harm in MORE_HARMS
+                if is_asked and (is_of_whole or skdpieces.process()[1] > 1):
                     give(made, function)
                     bad = update(case)
                     give(made, good)
