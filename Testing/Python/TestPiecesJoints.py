@@ -18,8 +18,9 @@ import skdtesting
 
 RUNS = {
     2: ("everywhere", "cuts, ghosts"),
-    3: ("round robin", "round robin, global ids", "cuts, doubled"),
+    3: ("round robin", "cuts, mixed global ids", "cuts, doubled"),
     4: ("runs", "some empty", "random", "one process"),
+    8: ("round robin",),
 }
 NUMBERS = ("Number", "SourceNumber") # of cells of Input and Source
 PORTS = ("hits", "cut curves")
@@ -110,23 +111,6 @@ def numbers_of(piece, side):
     return numbers[vtk_to_numpy(ghosts) == 0] if ghosts else numbers
 
 
-def in_order(mesh, order):
-    """A copy whose cells are in this order."""
-    copy = mesh.NewInstance()
-    copy.SetPoints(mesh.GetPoints())
-    copy.AllocateEstimate(len(order), 4)
-    for cell in order:
-        points = skdpieces.points_of(mesh, cell)
-        copy.InsertNextCell(mesh.GetCellType(int(cell)), len(points), points)
-    copy.GetPointData().ShallowCopy(mesh.GetPointData())
-    for i in range(mesh.GetCellData().GetNumberOfArrays()):
-        array = mesh.GetCellData().GetArray(i)
-        ordered = numpy_to_vtk(vtk_to_numpy(array)[order], deep=1)
-        ordered.SetName(array.GetName())
-        copy.GetCellData().AddArray(ordered)
-    return copy
-
-
 def outputs(proxy, title):
     """The points of each cell and all arrays of lists, and how often each cell of the Input is hit."""
     proxy.UpdatePipeline()
@@ -198,7 +182,7 @@ def alone(parts, partitions):
                     if partition.endswith("global ids"):
                         order = numpy.sort(order)
                         skdpieces.set_global_ids(mesh)
-                    blocks[block] = in_order(numbered(mesh, side), order)
+                    blocks[block] = skdpieces.in_order(numbered(mesh, side), order)
             found.update(found_in(*sides, title))
     return found
 

@@ -29,7 +29,8 @@ except ImportError: # VTK 9.1
 
 # Cells sorted along x and cut into runs; runs of ids; every n-th; all on the last process; runs on
 # every other process; with the neighbours on other processes, marked as ghosts or not; all of it
-# everywhere; by global ids; and at random, some on several.
+# everywhere; by global ids; and at random, some on several. There is "cuts, mixed global ids", too, in
+# whose pieces ids do not ascend.
 PARTITIONS = ("cuts", "runs", "round robin", "one process", "some empty", "cuts, ghosts",
     "cuts, doubled", "everywhere", "round robin, global ids", "random")
 
@@ -300,6 +301,25 @@ def extract(mesh, cells):
     return surface
 
 
+def in_order(mesh, order):
+    """A copy whose cells are in this order."""
+    copy = mesh.NewInstance()
+    copy.SetPoints(mesh.GetPoints())
+    copy.AllocateEstimate(len(order), 4)
+    for cell in order:
+        points = points_of(mesh, cell)
+        copy.InsertNextCell(mesh.GetCellType(int(cell)), len(points), points)
+    copy.GetPointData().ShallowCopy(mesh.GetPointData())
+    from_data, to_data = mesh.GetCellData(), copy.GetCellData()
+    for i in range(from_data.GetNumberOfArrays()):
+        array = from_data.GetArray(i)
+        ordered = numpy_to_vtk(vtk_to_numpy(array)[order], deep=1)
+        ordered.SetName(array.GetName())
+        is_global_id = from_data.GetGlobalIds() and from_data.GetGlobalIds().GetName() == array.GetName()
+        (to_data.SetGlobalIds if is_global_id else to_data.AddArray)(ordered)
+    return copy
+
+
 def piece(mesh, partition):
     """This process's piece of a mesh that all processes have."""
     rank, processes = process()
@@ -312,6 +332,9 @@ def piece(mesh, partition):
         own |= numpy.random.default_rng(rank).random(len(own)) < 0.1
     if not own.any():
         return mesh.NewInstance()
+    if partition.endswith("mixed global ids"): # which do not ascend
+        part = extract(mesh, numpy.flatnonzero(own))
+        return in_order(part, numpy.random.default_rng(7).permutation(part.GetNumberOfCells()))
     if not partition.endswith(("ghosts", "doubled")):
         return extract(mesh, numpy.flatnonzero(own))
     chosen = numpy.flatnonzero(neighbours(mesh, own))
