@@ -6,6 +6,7 @@
 #include "Core/Geometry/Distance/ClosestTriangles.h"
 #include "Core/Geometry/Intersection/NeighbourTriangles.h"
 #include "Core/Geometry/Intersection/TriangleContact.h"
+#include "Core/Search/Queries/MonotonePatches.h"
 #include "Core/Search/Queries/OverlapParts.h"
 #include "Core/Search/Tree/LazyTree.h"
 #include "Core/Search/Tree/PackedRTree.h"
@@ -242,6 +243,30 @@ std::vector<skd::Box3> ListBoxes(
   return boxes;
 }
 
+/// Where no pairs need to be looked for, in a tree of some triangles.
+template <class TriangleOf>
+skd::MonotonePatches FindPatches(const SkdMovedTriangles& set, const skd::PackedRTree& tree,
+  std::size_t count, const TriangleOf& triangleOf)
+{
+  return skd::MonotonePatches(
+    tree, count, set.GetPoints(),
+    [&](std::uint32_t i) -> const SkdTriangleSet::Corners&
+    { return set.GetCorners(triangleOf(i)); },
+    [](std::size_t n, const auto& body) { SkdForEach(n, body); });
+}
+
+/// Of a triangle and others that it may be a pair with.
+void LeaveOutKnown(
+  std::uint32_t triangle, const SkdKnownPairs* known, std::vector<std::uint32_t>& others)
+{
+  if (known && triangle < known->End)
+  {
+    others.erase(std::remove_if(others.begin(), others.end(),
+                   [known](std::uint32_t other) { return other < known->End; }),
+      others.end());
+  }
+}
+
 /// All that were found, or the lowest; none of more than are wanted.
 std::vector<SkdTrianglePair> Gather(
   std::vector<std::vector<SkdTrianglePair>> found, const SkdPairSearch& search)
@@ -467,6 +492,9 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersecti
   const auto triangleOf = [&some, areAll](std::uint32_t i) { return areAll ? i : some[i]; };
   const skd::PackedRTree tree(ListBoxes(this->Placement.First, searched, triangleOf));
   const std::size_t count = tree.GetNumberOfPackets();
+  const skd::MonotonePatches patches =
+    FindPatches(this->Placement.First, tree, searched, triangleOf);
+  const auto isWanted = [&patches](std::size_t packet) { return !patches.Has(packet); };
   Search state(this->Placement, search);
   PackedSearch parts((count + PacketsOfPart - 1) / PacketsOfPart, searched, search.Most);
   parts.ForEachPart(loop,
@@ -478,23 +506,21 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersecti
            i < std::min(count, (part + 1) * PacketsOfPart) && goesOn; ++i)
       {
         std::size_t looks = 0;
-        goesOn = tree.ForEachOverlapWithin(i, lists,
-                   [&](std::uint32_t triangle, std::vector<std::uint32_t>& others)
-                   {
-                     looks += others.size();
-                     if (!areAll)
-                     {
-                       std::transform(others.begin(), others.end(), others.begin(), triangleOf);
-                     }
-                     if (known && triangleOf(triangle) < known->End)
-                     {
-                       others.erase(std::remove_if(others.begin(), others.end(),
-                                      [known](std::uint32_t other) { return other < known->End; }),
-                         others.end());
-                     }
-                     return state.VisitWithin(triangleOf(triangle), others, found);
-                   }) &&
-          parts.Affords(looks);
+        goesOn = !isWanted(i) ||
+          (tree.ForEachOverlapWithin(
+             i, lists,
+             [&](std::uint32_t triangle, std::vector<std::uint32_t>& others)
+             {
+               looks += others.size();
+               if (!areAll)
+               {
+                 std::transform(others.begin(), others.end(), others.begin(), triangleOf);
+               }
+               LeaveOutKnown(triangleOf(triangle), known, others);
+               return state.VisitWithin(triangleOf(triangle), others, found);
+             },
+             isWanted) &&
+            parts.Affords(looks));
       }
     });
   auto found = parts.Take(search);

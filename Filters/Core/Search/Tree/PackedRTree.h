@@ -28,7 +28,7 @@ public:
   explicit PackedRTree(const std::vector<Box3>& boxes)
     : TheFrame(Frame<3>::Of(BoundsOf(boxes)))
   {
-    std::vector<ShortBox> level = this->SortAlongCurve(boxes);
+    std::vector<GridBox> level = this->SortAlongCurve(boxes);
     while (!level.empty())
     {
       this->AddLevel(level);
@@ -48,8 +48,12 @@ public:
   {
     if (!this->Levels.empty())
     {
-      this->Descend(
-        WantedBox(this->Rounded(box)), 0, 0, [&](std::size_t at) { visit(this->Order[at]); });
+      this->Descend(WantedBox(this->Rounded(box)), 0, 0,
+        [&](std::size_t at)
+        {
+          visit(this->Order[at]);
+          return true;
+        });
     }
   }
 
@@ -58,20 +62,80 @@ public:
     return this->Levels.empty() ? 0 : this->Levels[0].size();
   }
 
+  static constexpr std::size_t Width = 8;
+  static constexpr std::size_t Log2Width = 3;
+
+  /// The number of the box in a lane of a packet.
+  std::uint32_t GetBoxOf(std::size_t packet, int lane) const
+  {
+    return this->Order[packet * Width + static_cast<std::size_t>(lane)];
+  }
+
+  ///@{
+  /// Boxes as they are rounded to the grid: outward, and monotone, so that what overlaps does so on
+  /// the grid, and what is within a box is within it there. Beyond the grid they end near its end.
+  struct GridBox
+  {
+    std::int16_t Min[3];
+    std::int16_t Max[3];
+  };
+  GridBox GetOnGrid(const Box3& box) const { return this->Rounded(box); }
+  GridBox GetOnGrid(std::size_t packet, int lane) const
+  {
+    return this->Levels[0][packet].Get(static_cast<std::size_t>(lane));
+  }
+  GridBox GetEnclosureOf(std::size_t packet) const
+  {
+    return this->Levels.size() > 1 ? this->Levels[1][packet / Width].Get(packet % Width)
+                                   : this->Levels[0][packet].GetEnclosure();
+  }
+  ///@}
+
+  /// Calls visit(packet, lanes) for each packet with boxes that overlap this one on the grid, with
+  /// a bit for each of them, until it returns false.
+  template <class Visit>
+  SKD_FLATTEN void ForEachPacketOverlapping(const GridBox& box, const Visit& visit) const
+  {
+    const WantedBox wanted(box);
+    const auto visitPacket = [&](std::size_t packet)
+    {
+      const unsigned lanes = this->Levels[0][packet].Overlapping(wanted);
+      return lanes == 0 || visit(packet, lanes);
+    };
+    if (this->Levels.size() > 1)
+    {
+      this->Descend(wanted, 1, 0, visitPacket);
+    }
+    else if (this->Levels.size() == 1)
+    {
+      visitPacket(0);
+    }
+  }
+
+  /// The lanes of a packet the boxes of which are not within another one along an axis.
+  unsigned FindLanesBeyond(std::size_t packet, int axis, const GridBox& box) const
+  {
+    const Packet& boxes = this->Levels[0][packet];
+    return NegativeLanes(Above(EightShorts(box.Min[axis]), EightShorts::Load(boxes.Min[axis])) |
+      Above(EightShorts::Load(boxes.Max[axis]), EightShorts(box.Max[axis])));
+  }
+
   /// Lists of boxes, for ForEachOverlapWithin: one for each lane of a packet.
   using OverlapLists = std::array<std::vector<std::uint32_t>, 8>;
 
   /// For each box i of a packet, calls visit(i, others) with the boxes after it along the curve
   /// that overlap it on the grid, if there are any. All packets together give each pair of
-  /// overlapping boxes once. Stops when `visit` returns false, and returns false.
-  template <class Visit>
-  bool ForEachOverlapWithin(std::size_t packet, OverlapLists& lists, const Visit& visit) const
+  /// overlapping boxes once, but for those of packets with isWanted(packet) = false. Stops when
+  /// `visit` returns false, and returns false.
+  template <class Visit, class IsWanted>
+  bool ForEachOverlapWithin(
+    std::size_t packet, OverlapLists& lists, const Visit& visit, const IsWanted& isWanted) const
   {
     for (std::vector<std::uint32_t>& list : lists)
     {
       list.clear();
     }
-    this->ListOverlaps(packet, lists);
+    this->ListOverlaps(packet, lists, isWanted);
     for (std::size_t lane = 0; lane < Width; ++lane)
     {
       if (!lists[lane].empty() && !visit(this->Order[packet * Width + lane], lists[lane]))
@@ -81,18 +145,15 @@ public:
     }
     return true;
   }
+  template <class Visit>
+  bool ForEachOverlapWithin(std::size_t packet, OverlapLists& lists, const Visit& visit) const
+  {
+    return this->ForEachOverlapWithin(packet, lists, visit, [](std::size_t) { return true; });
+  }
 
 private:
-  static constexpr std::size_t Width = 8;
-  static constexpr std::size_t Log2Width = 3;
   static constexpr std::size_t MostLevels = 11; // 8^11 = 2^33
   static constexpr double Steps = 16000.0;      // from the middle of the frame to its end
-
-  struct ShortBox
-  {
-    std::int16_t Min[3];
-    std::int16_t Max[3];
-  };
 
   /// Each number for all lanes.
   struct WantedBox
@@ -101,7 +162,7 @@ private:
     EightShorts Max[3];
 
     WantedBox() = default;
-    explicit WantedBox(const ShortBox& box)
+    explicit WantedBox(const GridBox& box)
     {
       for (int axis = 0; axis < 3; ++axis)
       {
@@ -116,7 +177,7 @@ private:
     std::int16_t Min[3][Width];
     std::int16_t Max[3][Width];
 
-    void Set(std::size_t lane, const ShortBox& box)
+    void Set(std::size_t lane, const GridBox& box)
     {
       for (int axis = 0; axis < 3; ++axis)
       {
@@ -125,9 +186,9 @@ private:
       }
     }
 
-    ShortBox GetEnclosure() const
+    GridBox GetEnclosure() const
     {
-      ShortBox box;
+      GridBox box;
       for (int axis = 0; axis < 3; ++axis)
       {
         box.Min[axis] = *std::min_element(this->Min[axis], this->Min[axis] + Width);
@@ -136,9 +197,9 @@ private:
       return box;
     }
 
-    ShortBox Get(std::size_t lane) const
+    GridBox Get(std::size_t lane) const
     {
-      ShortBox box;
+      GridBox box;
       for (int axis = 0; axis < 3; ++axis)
       {
         box.Min[axis] = this->Min[axis][lane];
@@ -158,8 +219,8 @@ private:
     }
   };
 
-  /// Calls visit(i) for the boxes of a level, from number `from` on, that overlap one: those that
-  /// the tree is of at level 0, the packets of the level below at others.
+  /// Calls visit(i) for the boxes of a level, from number `from` on, that overlap one, until it
+  /// returns false: those that the tree is of at level 0, the packets of the level below at others.
   template <class Visit>
   void Descend(
     const WantedBox& wanted, std::size_t bottom, std::size_t from, const Visit& visit) const
@@ -194,14 +255,16 @@ private:
         --level;
         enter(at);
       }
-      else
+      else if (!visit(at))
       {
-        visit(at);
+        return;
       }
     }
   }
 
-  SKD_FLATTEN void ListOverlaps(std::size_t packet, OverlapLists& lists) const
+  template <class IsWanted>
+  SKD_FLATTEN void ListOverlaps(
+    std::size_t packet, OverlapLists& lists, const IsWanted& isWanted) const
   {
     const Packet& boxes = this->Levels[0][packet];
     std::array<WantedBox, Width> wanted;
@@ -219,9 +282,13 @@ private:
     this->Descend(enclosure(packet), 1, packet + 1,
       [&](std::size_t other)
       {
-        const Packet& others = this->Levels[0][other];
-        ForEachLane(boxes.Overlapping(enclosure(other)),
-          [&](int lane) { this->List(other, others.Overlapping(wanted[lane]), lists[lane]); });
+        if (isWanted(other))
+        {
+          const Packet& others = this->Levels[0][other];
+          ForEachLane(boxes.Overlapping(enclosure(other)),
+            [&](int lane) { this->List(other, others.Overlapping(wanted[lane]), lists[lane]); });
+        }
+        return true;
       });
   }
 
@@ -241,9 +308,9 @@ private:
   }
 
   /// Outward and monotone: boxes that overlap do so on the grid.
-  ShortBox Rounded(const Box3& box) const
+  GridBox Rounded(const Box3& box) const
   {
-    ShortBox rounded;
+    GridBox rounded;
     for (int axis = 0; axis < 3; ++axis)
     {
       rounded.Min[axis] = static_cast<std::int16_t>(this->StepOf(box.Min[axis], axis) - 1);
@@ -261,17 +328,17 @@ private:
   }
 
   /// Fills Order; returns the boxes in that order.
-  std::vector<ShortBox> SortAlongCurve(const std::vector<Box3>& boxes)
+  std::vector<GridBox> SortAlongCurve(const std::vector<Box3>& boxes)
   {
     std::vector<std::uint64_t> keys(boxes.size());
-    std::vector<ShortBox> rounded(boxes.size());
+    std::vector<GridBox> rounded(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
       rounded[i] = this->Rounded(boxes[i]);
       keys[i] = MortonCodeOf(rounded[i]) << 32 | i;
     }
     SortByHighWord(keys);
-    std::vector<ShortBox> sorted(boxes.size());
+    std::vector<GridBox> sorted(boxes.size());
     this->Order.resize(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
@@ -281,7 +348,7 @@ private:
     return sorted;
   }
 
-  static std::uint64_t MortonCodeOf(const ShortBox& box)
+  static std::uint64_t MortonCodeOf(const GridBox& box)
   {
     std::array<std::uint32_t, 3> cube;
     for (int axis = 0; axis < 3; ++axis)
@@ -293,10 +360,10 @@ private:
   }
 
   /// Remaining lanes are empty: above all query boxes.
-  void AddLevel(const std::vector<ShortBox>& boxes)
+  void AddLevel(const std::vector<GridBox>& boxes)
   {
     constexpr std::int16_t beyond = 0x7fff;
-    constexpr ShortBox none{ { beyond, beyond, beyond }, { -beyond, -beyond, -beyond } };
+    constexpr GridBox none{ { beyond, beyond, beyond }, { -beyond, -beyond, -beyond } };
     std::vector<Packet> packets((boxes.size() + Width - 1) / Width);
     for (std::size_t i = 0; i < Width * packets.size(); ++i)
     {
