@@ -3,6 +3,7 @@
 #include "Solids/Boolean/SkdBadEdges.h"
 
 #include "Bodies/SkdEdgeTable.h"
+#include "Core/Geometry/UnpairedEdges.h"
 
 #include <algorithm>
 #include <map>
@@ -57,6 +58,27 @@ SkdBadEdges FindBadEdges(const skd::EdgeTable<>& edges, const std::vector<signed
     });
   return bad;
 }
+
+/// True of nearly all results, and found in less than half of the time that a table takes.
+bool AreAllPaired(
+  const SkdFacets& facets, const std::vector<signed char>& signs, std::size_t numberOfPoints)
+{
+  if (numberOfPoints > skd::UnpairedEdges::MostPoints)
+  {
+    return false;
+  }
+  skd::UnpairedEdges edges(numberOfPoints);
+  for (std::size_t facet = 0; facet < signs.size(); ++facet)
+  {
+    if (signs[facet] != 0)
+    {
+      const auto [a, b, c] = facets.Corners[facet];
+      edges.AddTriangle(
+        signs[facet] > 0 ? SkdTriangleSet::Corners{ a, b, c } : SkdTriangleSet::Corners{ c, b, a });
+    }
+  }
+  return edges.AreNone();
+}
 }
 
 std::vector<SkdBadEdges> SkdFindBadEdges(const SkdFacets& facets,
@@ -101,6 +123,11 @@ SkdBadEdges SkdFindBadEdges(const SkdFacets& facets, const std::vector<signed ch
 SkdBadEdges SkdFindBadEdges(
   const SkdMovedTriangles& set, const SkdFacets& facets, const std::vector<signed char>& signs)
 {
+  const std::size_t numberOfPoints = set.GetPoints().size() + facets.NewPoints.size();
+  if (AreAllPaired(facets, signs, numberOfPoints))
+  {
+    return {};
+  }
   std::vector<SkdTriangleSet::Corners> corners;
   std::vector<signed char> used;
   for (std::size_t facet = 0; facet < signs.size(); ++facet)
@@ -111,7 +138,6 @@ SkdBadEdges SkdFindBadEdges(
       used.push_back(signs[facet]);
     }
   }
-  return FindBadEdges(
-    SkdMakeEdgeTable(corners, set.GetPoints().size() + facets.NewPoints.size()), used);
+  return FindBadEdges(SkdMakeEdgeTable(corners, numberOfPoints), used);
 }
 }
