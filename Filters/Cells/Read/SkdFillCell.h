@@ -20,11 +20,11 @@ void SkdCopyPoints(
   for (vtkIdType i = 0; i < size; ++i, toPoints += 3)
   {
     const auto id = static_cast<vtkIdType>(ids[i]);
-    const Number* x = from + 3 * id;
+    const Number x = from[3 * id], y = from[3 * id + 1], z = from[3 * id + 2];
     toIds[i] = id;
-    toPoints[0] = x[0];
-    toPoints[1] = x[1];
-    toPoints[2] = x[2];
+    toPoints[0] = x;
+    toPoints[1] = y;
+    toPoints[2] = z;
   }
 }
 
@@ -40,7 +40,7 @@ bool SkdFillCell(vtkGenericCell* cell, const Id* ids, vtkIdType size, const skd:
     cellIds->SetNumberOfIds(size);
   }
   vtkPoints* points = cell->GetPoints();
-  if (points->GetNumberOfPoints() != size)
+  if (points->GetData()->GetNumberOfValues() != 3 * size) // no division
   {
     points->SetNumberOfPoints(size);
   }

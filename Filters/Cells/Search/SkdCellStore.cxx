@@ -213,12 +213,8 @@ void SkdCellStore::FindBounds()
 }
 
 //------------------------------------------------------------------------------
-std::int64_t SkdCellStore::CellOfId(vtkIdType id) const
+std::int64_t SkdCellStore::FindCellOfId(vtkIdType id) const
 {
-  if (this->Ids.empty())
-  {
-    return id >= 0 && id < static_cast<vtkIdType>(this->Count) ? id : -1;
-  }
   const auto found = std::lower_bound(this->Ids.begin(), this->Ids.end(), id,
     [](std::uint32_t stored, vtkIdType sought) { return static_cast<vtkIdType>(stored) < sought; });
   const bool isStored = found != this->Ids.end() && static_cast<vtkIdType>(*found) == id;

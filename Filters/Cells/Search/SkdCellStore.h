@@ -56,7 +56,12 @@ public:
     return this->Ids.empty() ? static_cast<vtkIdType>(cell)
                              : static_cast<vtkIdType>(this->Ids[cell]);
   }
-  std::int64_t CellOfId(vtkIdType id) const;
+  std::int64_t CellOfId(vtkIdType id) const
+  {
+    return !this->Ids.empty()                               ? this->FindCellOfId(id)
+      : id >= 0 && id < static_cast<vtkIdType>(this->Count) ? id
+                                                            : -1;
+  }
 
   bool IsAllOf(SkdShape shape) const { return this->Shapes.empty() && this->CommonShape == shape; }
   SkdShape ShapeOf(std::uint32_t cell) const
@@ -78,6 +83,8 @@ public:
 
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; } ///< in use or not
   skd::Vector3 Point(std::uint32_t pointId) const { return this->Points.At(pointId); }
+
+  const skd::PointArray& AllPoints() const { return this->Points; }
 
   /// Whether all coordinates are exact in single precision.
   bool HasFloatPoints() const { return this->Points.Floats != nullptr; }
@@ -165,6 +172,7 @@ private:
   void PutPoints(std::uint64_t first, const Id* ids, std::size_t size);
   ///@}
 
+  std::int64_t FindCellOfId(vtkIdType id) const;
   void ReadFaces(vtkDataSet* data);
   void ReadCurvedExtents(vtkDataSet* data);
   void Compact();
