@@ -83,6 +83,28 @@ TYPED_TEST(WithinBoxTest, ReachesWhatHoldsAPoint)
     });
 }
 
+TYPED_TEST(WithinBoxTest, ReachesTheSameAboutAPointOfTheFrame)
+{
+  ForEachTree<TypeParam::Value>(true,
+    [](const auto& scene, const auto& tree)
+    {
+      constexpr int D = TypeParam::Value;
+      std::vector<skd::Vector<D>> points = QueryPoints(scene.Boxes);
+      points.push_back(Filled<D>(1e300));
+      points.push_back(Filled<D>(-1e300));
+      for (const auto& point : points)
+      {
+        const Ids visited = Visited(tree, true,
+          [&](auto& visitor)
+          {
+            return skd::WithinBox<D, std::decay_t<decltype(visitor)>>(
+              tree.GetFrame().Local(point), visitor, skd::NoLeafFilter());
+          });
+        EXPECT_EQ(visited, VisitedIn(tree, skd::Box<D>(point, point)));
+      }
+    });
+}
+
 TYPED_TEST(WithinBoxTest, ReachesWhatTouchesInAFace)
 {
   ForEachTree<TypeParam::Value>(true,

@@ -199,7 +199,12 @@ struct SkdVolumeKernel
 
   static SkdCellPoint Closest(const skd::Vector3* p, const skd::Vector3& x, double limit2)
   {
-    const skd::VolumePoint nearest = skd::ClosestPointInCell<Shape>(p, x, limit2);
+    return From(p, x, skd::ClosestPointInCell<Shape>(p, x, limit2));
+  }
+
+  static SkdCellPoint From(
+    const skd::Vector3* p, const skd::Vector3& x, const skd::VolumePoint& nearest)
+  {
     if (nearest.Dist2 > 0.0 && std::isfinite(nearest.Dist2))
     {
       if (const double* corner = CornerAt(p, x))

@@ -19,6 +19,16 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
+/// Whether SkdWideWalks::ClosestPointInCell has the kernel's shape.
+template <class Kernel>
+constexpr bool IsWide = false;
+template <>
+constexpr bool IsWide<SkdVolumeKernel<skd::Pyramid>> = true;
+template <>
+constexpr bool IsWide<SkdVolumeKernel<skd::Wedge>> = true;
+template <>
+constexpr bool IsWide<SkdVolumeKernel<skd::Hexahedron>> = true;
+
 /// Takes a candidate over if it is nearer, or as near with a lower id.
 class BestCell
 {
@@ -57,6 +67,17 @@ SkdCellPoint SkdCellTree::Measure(
   const auto measure = [&](auto kernel)
   {
     skd::Vector3 points[kernel.Size];
+    if constexpr (IsWide<decltype(kernel)>)
+    {
+      if (SkdWideWalks::AreOn())
+      {
+        skd::VolumePoint nearest;
+        SkdWideWalks::ClosestPointInCell(kernel.Size, &this->Store.AllPoints(),
+          this->Store.PointIdsOf(cell), x.X, limit2, points, &nearest);
+        found = kernel.From(points, x, nearest);
+        return;
+      }
+    }
     this->Store.Gather(cell, points);
     found = kernel.Closest(points, x, limit2);
   };
@@ -132,7 +153,7 @@ SkdFoundCell SkdCellTree::FindContaining(
     best.Offer(id, point);
   };
   const std::int64_t hinted = hint < 0 ? -1 : this->Store.CellOfId(hint);
-  if (hinted >= 0)
+  if (hinted >= 0 && this->SafetyBoxOf(static_cast<std::uint32_t>(hinted)).Contains(x))
   {
     offer(static_cast<std::uint32_t>(hinted), hint);
     if (best.Limit2 == 0.0)
@@ -163,8 +184,9 @@ SkdFoundCell SkdCellTree::FindContaining(
     {
       using LeafFilter = skd::PlaneLeafFilter;
       auto visitor = [&](std::uint32_t cell) { return tryCell(cell) >= 0.0; };
+      const skd::Vector3 local = this->GetFrame().Local(x);
       skd::WithinBox<3, decltype(visitor), LeafFilter> query(
-        this->GetFrame(), skd::Box3(x, x), visitor, LeafFilter(planes, this->GetFrame().Local(x)));
+        local, visitor, LeafFilter(planes, local));
       this->Walk(query);
     }
     return best.Found;

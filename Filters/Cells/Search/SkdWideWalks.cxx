@@ -16,6 +16,8 @@
 // processor can run. So what is included below, which is the core alone, is in namespace skd_avx2.
 #define skd skd_avx2
 
+#include "Core/Geometry/Cells/ClosestPointInCell.h"
+#include "Core/Geometry/PointArray.h"
 #include "Core/Search/LeafFilters/CompactTree.h"
 #include "Core/Search/LeafFilters/PlaneLeafFilter.h"
 #include "Core/Search/LeafFilters/TriangleLeafFilters.h"
@@ -118,6 +120,23 @@ SKD_FLATTEN void WalkAlong(const SkdWideTree& tree, const skd::Segment<3>& segme
   skd::Walk(view, query);
 }
 
+template <class Shape>
+SKD_FLATTEN void ClosestPoint(const skd::PointArray& from, const std::uint32_t* ids,
+  const skd::Vector3& x, double limit2, skd::Vector3* points, skd::VolumePoint& found)
+{
+  const auto gather = [&](const auto* numbers)
+  {
+    skd::ForEachAxis<Shape::Size>(
+      [&](int i)
+      {
+        const auto* at = numbers + std::size_t(3) * ids[i];
+        points[i] = { { at[0], at[1], at[2] } };
+      });
+  };
+  from.Floats ? gather(from.Floats) : gather(from.Doubles);
+  found = skd::ClosestPointInCell<Shape>(points, x, limit2);
+}
+
 /// Calls body(std::true_type()) or body(std::false_type()).
 template <class Body>
 void WithConstant(bool value, const Body& body)
@@ -147,13 +166,31 @@ SKD_FLATTEN void SkdWideWalks::AboutPoint(
 {
   using LeafFilter = skd::PlaneLeafFilter;
   const skd::CompactTree& view = ViewOf(tree);
-  const skd::Vector3 point = PointAt(x);
-  const LeafFilter leafFilter(
-    *static_cast<const skd::PlanePackets*>(planes), view.GetFrame().Local(point));
+  const skd::Vector3 local = view.GetFrame().Local(PointAt(x));
+  const LeafFilter leafFilter(*static_cast<const skd::PlanePackets*>(planes), local);
   const GoesOn visit{ visitor };
-  skd::WithinBox<3, const GoesOn, LeafFilter> query(
-    view.GetFrame(), skd::Box3(point, point), visit, leafFilter);
+  skd::WithinBox<3, const GoesOn, LeafFilter> query(local, visit, leafFilter);
   skd::Walk(view, query);
+}
+
+//------------------------------------------------------------------------------
+void SkdWideWalks::ClosestPointInCell(int size, const void* from, const std::uint32_t* ids,
+  const double x[3], double limit2, void* points, void* found)
+{
+  const auto closest = [&](auto shape)
+  {
+    ClosestPoint<decltype(shape)>(*static_cast<const skd::PointArray*>(from), ids, PointAt(x),
+      limit2, static_cast<skd::Vector3*>(points), *static_cast<skd::VolumePoint*>(found));
+  };
+  switch (size)
+  {
+    case skd::Pyramid::Size:
+      return closest(skd::Pyramid());
+    case skd::Wedge::Size:
+      return closest(skd::Wedge());
+    default:
+      return closest(skd::Hexahedron());
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The queries of triangles compiled for processors with AVX2 and FMA, with eight lanes a register,
-/// selected at run time. Answers are identical to the last bit: lanes perform the same operations
-/// with the same rounding, however many there are in a register.
+/// Queries, and the exact test of volume cells, compiled for processors with AVX2 and FMA, with
+/// eight lanes a register, selected at run time. Answers are identical to the last bit: lanes
+/// perform the same operations with the same rounding, however many there are in a register.
 ///
 /// SkdWideWalks.cxx is the only file compiled for AVX2. It has the core in its own namespace, so
 /// that no inline function compiled for AVX2 replaces one that must run anywhere. Its interface
@@ -111,6 +111,10 @@ public:
   /// `planes`: skd::PlanePackets; a limit that is negative ends the search.
   static void AboutPoint(
     const SkdWideTree& tree, const void* planes, const double x[3], const SkdWideVisitor& visitor);
+  /// skd::ClosestPointInCell of a pyramid, wedge or hexahedron, by its number of points. `from`:
+  /// skd::PointArray; sets the cell's points, so many skd::Vector3, and `found`, skd::VolumePoint
+  static void ClosestPointInCell(int size, const void* from, const std::uint32_t* ids,
+    const double x[3], double limit2, void* points, void* found);
   /// skd::OverlappingBox; `box`: skd::Box3
   static void OverlappingBox(const SkdWideTree& tree, const void* box, double excess,
     const SkdWideVisitor& visitor, const SkdWideVisitor& sure);

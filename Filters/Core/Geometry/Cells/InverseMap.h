@@ -3,6 +3,7 @@
 #ifndef skd_Geometry_Cells_InverseMap_h
 #define skd_Geometry_Cells_InverseMap_h
 
+#include "../ForEachAxis.h"
 #include "../Tolerances.h"
 #include "LinearShapes.h"
 #include "TrilinearRoot.h"
@@ -18,19 +19,17 @@ class InverseMap
 public:
   InverseMap(const Vector3* points, const Vector3& x)
   {
-    Vector3 corners[8];
+    PaddedVector corners[8];
     Shape::CubeCorners(points, corners);
-    for (Vector3& corner : corners)
-    {
-      corner = corner - x;
-    }
+    const PaddedVector origin(x);
+    ForEachAxis<8>([&](int i) { corners[i] = corners[i] - origin; });
     this->Map = TrilinearMap(corners);
   }
 
   /// Parametric coordinates of x as far as the map is linear; in the domain or not, even NaN.
   Vector3 Guess() const
   {
-    const Vector3* c = this->Map.Term;
+    const PaddedVector* c = this->Map.Term;
     return FromCube(-1.0 * Matrix3{ { c[1], c[2], c[4] } }.Solve(c[0]));
   }
 

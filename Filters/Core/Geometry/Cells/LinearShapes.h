@@ -6,6 +6,7 @@
 #ifndef skd_Geometry_Cells_LinearShapes_h
 #define skd_Geometry_Cells_LinearShapes_h
 
+#include "../ForEachAxis.h"
 #include "../Vector.h"
 
 #include <algorithm>
@@ -131,13 +132,11 @@ struct Hexahedron : CubeDomain
   }
 
   /// The points in the order of their parametric coordinates read as bits.
-  static void CubeCorners(const Vector3* points, Vector3* corners)
+  template <class Corner>
+  static void CubeCorners(const Vector3* points, Corner* corners)
   {
-    static constexpr int order[8] = { 0, 1, 3, 2, 4, 5, 7, 6 };
-    for (int i = 0; i < 8; ++i)
-    {
-      corners[i] = points[order[i]];
-    }
+    constexpr int order[8] = { 0, 1, 3, 2, 4, 5, 7, 6 };
+    ForEachAxis<8>([&](int i) { corners[i] = points[order[i]]; });
   }
 
   /// The face that p, outside of the domain, is farthest beyond.
@@ -221,7 +220,8 @@ struct Wedge
   }
 
   /// The corners of the cube that the wedge is half of, parametric coordinates read as bits.
-  static void CubeCorners(const Vector3* points, Vector3* corners)
+  template <class Corner>
+  static void CubeCorners(const Vector3* points, Corner* corners)
   {
     for (int t = 0; t < 2; ++t)
     {

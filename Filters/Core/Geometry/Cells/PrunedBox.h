@@ -56,21 +56,21 @@ struct PrunedBox
     : Rest(box)
   {
     const TrilinearMap part = map.Restricted(box.Centre, box.Half);
-    const Vector3* c = part.Term;
+    const PaddedVector* c = part.Term;
     this->IsZero = MaxNorm(c[0]) <= rounding;
     this->IsEmpty = part.IsApartFromZero(rounding);
     if (this->IsEmpty)
     {
       return;
     }
-    const Vector3 rows[3] = { Cross(c[2], c[4]), Cross(c[4], c[1]), Cross(c[1], c[2]) };
+    const PaddedVector rows[3] = { Cross(c[2], c[4]), Cross(c[4], c[1]), Cross(c[1], c[2]) };
     const double sizes[3] = { MaxNorm(c[1]), MaxNorm(c[2]), MaxNorm(c[4]) };
     const double volume = Dot(c[1], rows[0]);
     double widest = 0.0;
     double shrunk = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const Vector3& row = rows[axis];
+      const PaddedVector& row = rows[axis];
       const double products = std::abs(Dot(row, c[3])) + std::abs(Dot(row, c[5])) +
         std::abs(Dot(row, c[6])) + std::abs(Dot(row, c[7]));
       // Not less where the row is small by cancellation: it is not known better than this.

@@ -3,7 +3,7 @@
 #ifndef skd_Geometry_Cells_TrilinearMap_h
 #define skd_Geometry_Cells_TrilinearMap_h
 
-#include "../Vector.h"
+#include "PaddedVector.h"
 
 #include <algorithm>
 
@@ -23,14 +23,14 @@ inline double MaxNorm(const Vector3& v)
 /// Three columns, and how to solve with them.
 struct Matrix3
 {
-  Vector3 Columns[3];
+  PaddedVector Columns[3];
 
   /// The solution of (columns) y = right: infinite or NaN when there is none.
-  Vector3 Solve(const Vector3& right) const
+  Vector3 Solve(const PaddedVector& right) const
   {
-    const Vector3* c = this->Columns;
-    const Vector3 cross12 = Cross(c[1], c[2]);
-    const Vector3 cross0 = Cross(c[0], right);
+    const PaddedVector* c = this->Columns;
+    const PaddedVector cross12 = Cross(c[1], c[2]);
+    const PaddedVector cross0 = Cross(c[0], right);
     const double scale = 1.0 / Dot(c[0], cross12);
     return { { scale * Dot(right, cross12), scale * Dot(c[2], cross0),
       scale * -Dot(c[1], cross0) } };
@@ -42,28 +42,28 @@ struct Matrix3
 /// half edges there.
 struct TrilinearMap
 {
-  Vector3 Term[8];
+  PaddedVector Term[8];
 
   TrilinearMap() = default;
 
   /// From the images of the corners: the bits of an index are set where a coordinate is 1. Sums and
   /// differences along the first coordinate, then along the second, then along the third.
-  explicit TrilinearMap(const Vector3 (&c)[8])
+  explicit TrilinearMap(const PaddedVector (&c)[8])
   {
     this->SetHalves(0, c[1] + c[0], c[3] + c[2], c[5] + c[4], c[7] + c[6]);
     this->SetHalves(1, c[1] - c[0], c[3] - c[2], c[5] - c[4], c[7] - c[6]);
   }
 
-  Vector3 At(const Vector3& u) const
+  PaddedVector At(const Vector3& u) const
   {
-    const Vector3* c = this->Term;
+    const PaddedVector* c = this->Term;
     return c[0] + u[0] * c[1] + u[1] * (c[2] + u[0] * c[3]) +
       u[2] * (c[4] + u[0] * c[5] + u[1] * (c[6] + u[0] * c[7]));
   }
 
   Matrix3 Jacobian(const Vector3& u) const
   {
-    const Vector3* c = this->Term;
+    const PaddedVector* c = this->Term;
     return { { c[1] + u[1] * c[3] + u[2] * (c[5] + u[1] * c[7]),
       c[2] + u[0] * c[3] + u[2] * (c[6] + u[0] * c[7]),
       c[4] + u[0] * c[5] + u[1] * (c[6] + u[0] * c[7]) } };
@@ -72,7 +72,7 @@ struct TrilinearMap
   /// This map on the part of the cube with the given centre and half lengths.
   TrilinearMap Restricted(const Vector3& u, const Vector3& half) const
   {
-    const Vector3* c = this->Term;
+    const PaddedVector* c = this->Term;
     const Matrix3 jacobian = this->Jacobian(u);
     TrilinearMap part;
     part.Term[0] = this->At(u);
@@ -89,8 +89,8 @@ struct TrilinearMap
   /// Whether a coordinate of the image is nowhere in the cube zero to within rounding.
   bool IsApartFromZero(double rounding) const
   {
-    const Vector3 middle = Abs(this->Term[0]);
-    const Vector3 half = this->HalfExtent();
+    const PaddedVector middle = Abs(this->Term[0]);
+    const PaddedVector half = this->HalfExtent();
     return middle[0] > half[0] + rounding || middle[1] > half[1] + rounding ||
       middle[2] > half[2] + rounding;
   }
@@ -99,13 +99,13 @@ struct TrilinearMap
   double Size() const { return MaxNorm(Abs(this->Term[0]) + this->HalfExtent()); }
 
 private:
-  void SetHalves(
-    int index, const Vector3& c0, const Vector3& c1, const Vector3& c2, const Vector3& c3)
+  void SetHalves(int index, const PaddedVector& c0, const PaddedVector& c1, const PaddedVector& c2,
+    const PaddedVector& c3)
   {
-    const Vector3 bottom = c1 + c0;
-    const Vector3 top = c3 + c2;
-    const Vector3 bottomDifference = c1 - c0;
-    const Vector3 topDifference = c3 - c2;
+    const PaddedVector bottom = c1 + c0;
+    const PaddedVector top = c3 + c2;
+    const PaddedVector bottomDifference = c1 - c0;
+    const PaddedVector topDifference = c3 - c2;
     this->Term[index] = top + bottom;
     this->Term[index + 2] = topDifference + bottomDifference;
     this->Term[index + 4] = top - bottom;
@@ -113,9 +113,9 @@ private:
   }
 
   /// How far, by coordinate, images may be from that of the middle.
-  Vector3 HalfExtent() const
+  PaddedVector HalfExtent() const
   {
-    const Vector3* c = this->Term;
+    const PaddedVector* c = this->Term;
     return ((Abs(c[1]) + Abs(c[2])) + (Abs(c[4]) + Abs(c[3]))) +
       ((Abs(c[5]) + Abs(c[6])) + Abs(c[7]));
   }

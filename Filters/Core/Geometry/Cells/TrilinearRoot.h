@@ -17,13 +17,13 @@ namespace skd
 /// It may lie outside of the cube. Digits beyond the tolerance are taken where they come for free.
 inline std::optional<Vector3> NewtonRoot(const TrilinearMap& map, Vector3 start, double tolerance)
 {
-  Vector3 value = map.At(start);
+  PaddedVector value = map.At(start);
   double size = MaxNorm(value);
   for (int iteration = 0; iteration < 24 && size > 0.125 * tolerance; ++iteration)
   {
     Vector3 step = map.Jacobian(start).Solve(value);
     Vector3 next = start - step;
-    Vector3 nextValue = map.At(next);
+    PaddedVector nextValue = map.At(next);
     for (int halving = 0; halving < 4 && size > tolerance && !(MaxNorm(nextValue) < size);
          ++halving)
     {

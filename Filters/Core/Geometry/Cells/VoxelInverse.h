@@ -25,7 +25,7 @@ public:
 
   std::optional<Vector3> Find(const Vector3& guess) const
   {
-    const Vector3* edges = this->Edges.Columns;
+    const PaddedVector* edges = this->Edges.Columns;
     const double tolerance = tolerances::Residual *
       (MaxNorm(edges[0]) + MaxNorm(edges[1]) + MaxNorm(edges[2]) + MaxNorm(this->FromOrigin));
     const Vector3 refined = guess + this->Edges.Solve(this->Residual(guess));
@@ -40,9 +40,9 @@ public:
   }
 
 private:
-  Vector3 Residual(const Vector3& p) const
+  PaddedVector Residual(const Vector3& p) const
   {
-    const Vector3* edges = this->Edges.Columns;
+    const PaddedVector* edges = this->Edges.Columns;
     return this->FromOrigin - p[0] * edges[0] - p[1] * edges[1] - p[2] * edges[2];
   }
 

@@ -85,6 +85,22 @@ SKD_FLATTEN void SetAround(
     });
 }
 
+/// The least box of floats about a point in the frame that has it inside: boxes begin and end
+/// within the range of floats, so far outside it does not matter where the point is.
+template <int D>
+SKD_FLATTEN QueryBox<D> AboutPoint(const Vector<D>& local)
+{
+  constexpr double far = 1e38;
+  QueryBox<D> box;
+  ForEachAxis<D>(
+    [&](int axis)
+    {
+      const double at = std::min(std::max(local[axis], -far), far);
+      box.Set(axis, -Frame<D>::RoundUpInRange(-at), Frame<D>::RoundUpInRange(at));
+    });
+  return box;
+}
+
 /// The first of them.
 template <int D>
 SKD_FLATTEN QueryBox<D> OuterBox(const Frame<D>& frame, const Box<D>& box)

@@ -25,6 +25,14 @@ public:
   {
   }
 
+  /// The same about a point, given in the frame.
+  WithinBox(const Vector<D>& local, Visitor& visitor, const LeafFilter& leafFilter)
+    : FilteredQuery<WithinBox, LeafFilter>(0.0f, leafFilter)
+    , TheBox(AboutPoint(local))
+    , TheVisitor(visitor)
+  {
+  }
+
   template <int W>
   SKD_FLATTEN unsigned TestBoxes(const BoxPacket<D, W>& boxes, float*) const
   {
