@@ -7,6 +7,7 @@
 #include "Cells/Read/SkdVisitPoints.h"
 #include "Cells/Search/SkdCellStore.h"
 #include "Core/Search/Tree/CoverByBoxes.h"
+#include "Core/Search/Tree/PackedRTree.h"
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -146,7 +147,7 @@ SkdCut::SkdCut(SkdTransport& transport, std::vector<skd::Box3> own)
   this->Firsts.push_back(this->Boxes.size());
   if (!this->Boxes.empty())
   {
-    this->Tree = std::make_unique<skd::PackedRTree>(this->Boxes);
+    this->Tree = std::make_shared<skd::PackedRTree>(this->Boxes);
   }
 }
 

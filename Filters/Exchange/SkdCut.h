@@ -12,7 +12,6 @@
 #define SkdCut_h
 
 #include "Core/Geometry/Box.h"
-#include "Core/Search/Tree/PackedRTree.h"
 #include "Exchange/SkdTransport.h"
 #include "vtkType.h"
 
@@ -20,6 +19,11 @@
 #include <vector>
 
 class vtkDataSet;
+
+namespace skd
+{
+class PackedRTree;
+}
 
 namespace skdtree
 {
@@ -70,7 +74,7 @@ private:
   std::vector<int> Owners;
   std::vector<skd::Box3> Bounds;   // by process
   std::vector<std::size_t> Firsts; // by process, and where the last ends
-  std::unique_ptr<skd::PackedRTree> Tree;
+  std::shared_ptr<const skd::PackedRTree> Tree;
 };
 }
 

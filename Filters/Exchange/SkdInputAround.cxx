@@ -184,19 +184,19 @@ std::vector<std::vector<vtkIdType>> SkdInputAround::TakeBack(
   const std::vector<std::vector<vtkIdType>>& values, vtkDataObject* piece,
   const std::vector<std::vector<vtkIdType>>& ids) const
 {
-  std::map<SkdBlockPath, std::size_t> places;
+  std::map<SkdBlockPath, std::size_t> numbers;
   const std::vector<SkdLeafBlock> leaves = SkdLeafBlocksOf(this->Around);
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
-    places[leaves[i].Path] = i;
+    numbers[leaves[i].Path] = i;
   }
   std::vector<std::vector<vtkIdType>> ofPiece;
   for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(piece))
   {
-    const std::size_t place = places.at(leaf.Path);
-    std::vector<vtkIdType> cells = FindCells(leaves[place].Mesh, leaf.Mesh, ids[ofPiece.size()]);
+    const std::size_t block = numbers.at(leaf.Path);
+    std::vector<vtkIdType> cells = FindCells(leaves[block].Mesh, leaf.Mesh, ids[ofPiece.size()]);
     std::transform(cells.begin(), cells.end(), cells.begin(),
-      [&of = values[place]](vtkIdType cell)
+      [&of = values[block]](vtkIdType cell)
       { return cell < 0 ? 0 : of[static_cast<std::size_t>(cell)]; });
     ofPiece.push_back(std::move(cells));
   }
