@@ -52,6 +52,11 @@
  * Bad input: an Input or Source without any finite point gives one warning, "none" and NaN. Cells
  * that are not finite are left out. An aborted execution leaves the table empty.
  *
+ * Cost: at a point whose distance is more than about 1e5 times the size of the other surface, boxes
+ * of its cells hardly differ in distance at single precision, and from 1e7 times on the nearest is
+ * searched among all cells: O(n) for each sample of a triangle with a corner so far away. Remove
+ * such points.
+ *
  * Several processes: each has the arrays of its own pieces, and bisects and samples its share of
  * the triangles; the first has the table, which is that of one process: locations and quantiles are
  * the same, and so are sums but for rounding. With SourceDistribution exchanged a process has of
