@@ -43,7 +43,7 @@
  * | -------------- | ------ | ---------- | ------------------------------------------------------ |
  * | SkdContact     | int    | 1          | 3 an area, 2 a segment, 1 a point in common, 0 near    |
  * | SkdDistance    | double | 1          | 0, or of cells that are near only their distance       |
- * | SkdFirstPoint  | double | 3          | a point in common, or the nearest of the first cell    |
+ * | SkdFirstPoint  | double | 3          | the least in common, or the nearest of the first cell  |
  * | SkdSecondPoint | double | 3          | the same of the second cell                            |
  *
  * Output port 3, vtkPolyData: with a Clearance a line between the nearest points of each pair of
@@ -94,7 +94,8 @@
  * finite are ignored and counted. An Input or Source without faces gives a warning and empty
  * outputs. Coordinates smaller than 1e-80 times the largest are taken as 0, with a warning: the
  * tests would not be exact with them. Of more than 64 triangles with the same corners the first 64
- * are used, with a warning: all pairs of n copies would be n^2 / 2.
+ * are used, with a warning: all pairs of n copies would be n^2 / 2. Of an Input in pieces each
+ * process counts its own.
  * An aborted execution gives the results found until then; VTK 9.3 and later then empties the
  * output.
  *

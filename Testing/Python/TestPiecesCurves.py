@@ -20,14 +20,20 @@ import skdtesting
 
 RUNS = {
     2: ("everywhere", "cuts, ghosts", "one process"),
-    3: ("cuts", "round robin, global ids", "cuts, doubled"),
+    3: ("cuts", "round robin, global ids", "cuts, mixed global ids", "cuts, doubled"),
     4: ("runs", "round robin", "some empty", "random"),
+    8: ("runs",),
 }
 # Where cells keep their order, and so which pair of several at one segment is the lowest.
-IN_ORDER = ("everywhere", "one process", "runs", "some empty", "round robin, global ids")
+IN_ORDER = ("everywhere", "one process", "runs", "some empty", "round robin, global ids",
+    "cuts, mixed global ids")
 # With larger meshes, too.
+WITH_PIECES = ("spheres", "waves", "volume cells", "volume cells of both") # are split, too
+GATHERED = ("volume cells", "volume cells of both")
 WITH_DATA = ("cuts, ghosts", "cuts", "round robin", "random")
 KINDS = ("curves", "overlaps", "pairs", "gaps")
+SPLIT = 2 # beside segments joined (1) or not (0)
+SPLIT_KINDS = ("pieces", "pieces of the other")
 NUMBER = "Number"
 
 
@@ -96,6 +102,14 @@ def walls():
         skdpieces.tiles(corner=(0, 0, -0.2), first=(1, 1, -0.2), second=(0, 0, 0.3), count=7))
 
 
+def tiny():
+    """What is flat beside the largest coordinate, which other pieces have."""
+    height = 5e-81
+    return joined(skdpieces.tiles(corner=(0, 0, height), first=(1e-3, 0, 2 * height),
+            second=(0, 1e-3, height)),
+        skdpieces.tiles(corner=(1, 0, 0), first=(2, 0, 0), second=(1, 1, 0)))
+
+
 def read(file):
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(file)
@@ -127,6 +141,10 @@ def meshes(partition):
     yield "overlap", skdpieces.tiles(), joined(walls(),
         skdpieces.tiles(corner=(0.2, 0.25, 0), first=(0.9, 0.3, 0), second=(0.2, 0.8, 0))), 0.0
     yield "equal tiles", skdpieces.tiles(), skdpieces.tiles(), 0.0
+    yield "tiny", tiny(), skdpieces.tiles(corner=(4.1e-4, 0, -1e-3), first=(4.3e-4, 1e-3, -1e-3),
+        second=(4.1e-4, 0, 1e-3)), 0.0
+    yield "volume cells", skdpieces.tetrahedra(size=2), skdpieces.sphere(1.9, (0.2, 0.1, 0.3)), 0.05
+    yield "volume cells of both", skdpieces.tetrahedra(size=2), skdpieces.tetrahedra(size=3), 0.7
     if partition not in WITH_DATA:
         return
     brain = read(os.path.join(skdtesting.DATA_DIR, "fly_brain_lateral_horn.vtp"))
@@ -145,7 +163,7 @@ def source(mesh, partition):
     those that are no ghosts."""
     from paraview import simple
 
-    whole = vtkPolyData()
+    whole = mesh.NewInstance()
     whole.CopyStructure(mesh)
     number = numpy_to_vtk(numpy.arange(mesh.GetNumberOfCells()), deep=1)
     number.SetName(NUMBER)
@@ -161,8 +179,26 @@ def source(mesh, partition):
     return producer, numbers
 
 
+def points_of_cells(data, cells, name):
+    """The points of each cell, one after the other, as many as each has."""
+    array = getattr(data, "Get" + cells)()
+    ids = vtk_to_numpy(array.GetConnectivityArray())
+    yield f"{name}, {cells}", numpy.diff(vtk_to_numpy(array.GetOffsetsArray()))
+    if len(ids):
+        yield f"{name}, {cells} points", vtk_to_numpy(data.GetPoints().GetData())[ids]
+
+
+def pieces(proxy):
+    """The triangles that surfaces are split into."""
+    proxy.UpdatePipeline()
+    for port, kind in enumerate(SPLIT_KINDS, 4):
+        data = proxy.GetClientSideObject().GetOutputDataObject(port)
+        yield from points_of_cells(data, "Polys", kind)
+    yield "report", numpy.array([[skdexchange.report_of(proxy, "InputTrianglesSplit")]])
+
+
 def outputs(proxy):
-    """The points of each cell, one after the other, as many as each has, and all arrays."""
+    """What points_of_cells() has, and all arrays."""
     proxy.UpdatePipeline()
     for port, kind in enumerate(KINDS):
         data = proxy.GetClientSideObject().GetOutputDataObject(port)
@@ -170,11 +206,9 @@ def outputs(proxy):
             yield from skdexchange.arrays_of(data.GetRowData(), f"{kind}, row ")
             continue
         for cells in ("Verts", "Lines", "Polys"):
-            array = getattr(data, "Get" + cells)()
-            ids = vtk_to_numpy(array.GetConnectivityArray())
-            yield f"{kind}, {cells}", numpy.diff(vtk_to_numpy(array.GetOffsetsArray()))
+            yield from points_of_cells(data, cells, kind)
+            ids = vtk_to_numpy(getattr(data, "Get" + cells)().GetConnectivityArray())
             if len(ids):
-                yield f"{kind}, {cells} points", vtk_to_numpy(data.GetPoints().GetData())[ids]
                 for name, values in skdexchange.arrays_of(data.GetPointData(), ""):
                     yield f"{kind}, {cells} point {name}", values[ids]
         yield from skdexchange.arrays_of(data.GetCellData(), f"{kind}, cell ")
@@ -190,15 +224,16 @@ def write(file, partitions):
         for name, first, second, clearance in meshes(partition):
             input, found[f"{partition}, {name}; first"] = source(first, partition)
             other, found[f"{partition}, {name}; second"] = source(second, partition)
-            for joins in (1, 0):
+            for joins in (1, 0, SPLIT)[:3 if name in WITH_PIECES else 2]:
                 if (name, joins) in alone: # the same in one process
                     found.update({f"{partition}, {name}; {joins}; {what}": values
                         for what, values in alone[name, joins]})
                     continue
                 proxy = simple.SkdTreeSurfaceIntersection(Input=input, Source=other,
-                    JoinCurves=joins, Clearance=clearance, SourceDistribution=(
-                        "Exchange" if joins else "Replicate"))
-                all_outputs = list(outputs(proxy))
+                    JoinCurves=int(joins == 1), Clearance=clearance,
+                    SplitSurfaces=int(joins == SPLIT),
+                    SourceDistribution="Exchange" if joins else "Replicate")
+                all_outputs = list(pieces(proxy) if joins == SPLIT else outputs(proxy))
                 found.update({f"{partition}, {name}; {joins}; {what}": values
                     for what, values in all_outputs})
                 if skdpieces.process()[1] == 1:
@@ -235,7 +270,7 @@ def cells_of(parts, case, joins, partition, labels):
         rows = [values for name, values in sorted(own.items()) if name.startswith("pairs, row")]
         found.setdefault("pairs", []).extend(
             b"".join(value.tobytes() for value in row) for row in zip(*rows))
-        for kind in KINDS:
+        for kind in KINDS + SPLIT_KINDS:
             before = 0
             for cells in ("Verts", "Lines", "Polys"):
                 sizes = own.get(f"{kind}, {cells}", ())
@@ -253,7 +288,10 @@ def cells_of(parts, case, joins, partition, labels):
 
 
 def counts_of(parts, case, joins):
-    return sum(part[f"{case}; {joins}; report"] for part in parts)
+    """Of all processes, but each one's where each has found all."""
+    is_gathered = joins == SPLIT or case.endswith(GATHERED)
+    counts = [part[f"{case}; {joins}; report"] for part in parts]
+    return numpy.max(counts, axis=0) if is_gathered else sum(counts)
 
 
 def check(file, processes, partitions):
@@ -267,7 +305,7 @@ def check(file, processes, partitions):
         partition = next(each for each in partitions if case.startswith(each + ", ")
             and not any(len(other) > len(each) and case.startswith(other + ", ")
                 for other in partitions))
-        for joins in (0, 1):
+        for joins in (0, 1, SPLIT)[:3 if f"{case}; {SPLIT}; report" in alone[0] else 2]:
             for labels in (False, True)[: 2 if partition in IN_ORDER else 1]:
                 first = cells_of(alone, case, joins, partition, labels)
                 second = cells_of(parts, case, joins, partition, labels)
@@ -280,7 +318,8 @@ def check(file, processes, partitions):
             counts = counts_of(alone, case, joins), counts_of(parts, case, joins)
             if (counts[0] != counts[1]).any():
                 different.append(f"{processes}, {case}, {joins}: {counts}")
-    assert some >= {"curves, Verts", "curves, Lines", "overlaps, Polys", "pairs", "gaps, Lines"}, some
+    assert some >= {"curves, Verts", "curves, Lines", "overlaps, Polys", "pairs", "gaps, Lines",
+        "pieces, Polys", "pieces of the other, Polys"}, some
     assert not different, "\n".join(different)
 
 

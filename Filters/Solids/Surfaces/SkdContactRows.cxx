@@ -26,7 +26,7 @@ bool AreOfSameCells(const Row& a, const Row& b)
   return a.FirstCell == b.FirstCell && a.SecondCell == b.SecondCell;
 }
 
-/// By cells; for the same cells by descending contact dimension, then distance, then id.
+/// By cells; for the same cells by descending contact dimension, then distance, then coordinates.
 template <class Row>
 bool ComesBefore(const Row& a, const Row& b)
 {
@@ -38,7 +38,11 @@ bool ComesBefore(const Row& a, const Row& b)
   {
     return a.Kind > b.Kind;
   }
-  return a.Dist2 != b.Dist2 ? a.Dist2 < b.Dist2 : a.Pair < b.Pair;
+  if (a.Dist2 != b.Dist2)
+  {
+    return a.Dist2 < b.Dist2;
+  }
+  return a.FirstPoint == b.FirstPoint ? a.SecondPoint < b.SecondPoint : a.FirstPoint < b.FirstPoint;
 }
 }
 
@@ -56,7 +60,13 @@ SkdContacts::Row SkdContacts::MakeRow(std::size_t index) const
   row.Dist2 = 0.0;
   if (row.Kind != SkdContactKind::Near)
   {
-    row.FirstPoint = row.SecondPoint = this->Points.GetPosition(this->Points.GetPoint(index, 0));
+    row.FirstPoint = this->Points.GetPosition(this->Points.GetPoint(index, 0));
+    for (int i = 1; i < pair.Contact.Count; ++i)
+    {
+      row.FirstPoint =
+        std::min(row.FirstPoint, this->Points.GetPosition(this->Points.GetPoint(index, i)));
+    }
+    row.SecondPoint = row.FirstPoint;
     return row;
   }
   const SkdGap gap = SkdFindGap(this->Placement, pair);

@@ -9,6 +9,8 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <functional>
+#include <tuple>
 #include <utility>
 
 namespace skdtree
@@ -25,11 +27,12 @@ SkdEndPair MakeEndPair(std::uint32_t a, std::uint32_t b, std::size_t origin)
   return { std::min(a, b), std::max(a, b), origin };
 }
 
-void SortByEnds(std::vector<SkdEndPair>& segments)
+template <class IsLower>
+void SortByEnds(std::vector<SkdEndPair>& segments, const IsLower& isLower)
 {
   vtkSMPTools::Sort(segments.begin(), segments.end(),
-    [](const SkdEndPair& a, const SkdEndPair& b)
-    { return a.A != b.A ? a.A < b.A : (a.B != b.B ? a.B < b.B : a.Origin < b.Origin); });
+    [&isLower](const SkdEndPair& a, const SkdEndPair& b)
+    { return a.A != b.A ? a.A < b.A : (a.B != b.B ? a.B < b.B : isLower(a.Origin, b.Origin)); });
 }
 }
 
@@ -83,8 +86,8 @@ void SkdContacts::FindSegments(SkdCurveParts& parts) const
       parts.Sides.push_back(side(i));
     }
   }
-  SortByEnds(parts.Segments);
-  SortByEnds(parts.Sides);
+  SortByEnds(parts.Segments, [this](std::size_t a, std::size_t b) { return this->IsLower(a, b); });
+  SortByEnds(parts.Sides, std::less<>());
   parts.Segments.erase(
     std::unique(parts.Segments.begin(), parts.Segments.end(), HaveSameEnds), parts.Segments.end());
 }
@@ -105,12 +108,39 @@ void SkdContacts::FindLonePoints(SkdCurveParts& parts) const
   {
     const bool isPoint = this->Pairs[pair].Contact.Count == 1;
     const std::uint32_t point = isPoint ? this->Points.GetPoint(pair, 0) : 0;
-    if (isPoint && !isKnown[point])
+    if (isPoint && (!isKnown[point] || (this->HasOwnIds() && !parts.IsOther[point])))
     {
       parts.Lone.push_back({ point, point, pair });
       isKnown[point] = true;
     }
   }
+  if (this->HasOwnIds())
+  {
+    this->KeepLowest(parts.Lone);
+  }
+}
+
+// Of each point one; in the order of pairs.
+void SkdContacts::KeepLowest(std::vector<SkdEndPair>& lone) const
+{
+  SortByEnds(lone, [this](std::size_t a, std::size_t b) { return this->IsLower(a, b); });
+  lone.erase(std::unique(lone.begin(), lone.end(), HaveSameEnds), lone.end());
+  std::sort(lone.begin(), lone.end(),
+    [](const SkdEndPair& a, const SkdEndPair& b) { return a.Origin < b.Origin; });
+}
+
+// Pairs are in the order of their cells, but where these have ids of another order.
+bool SkdContacts::IsLower(std::size_t a, std::size_t b) const
+{
+  if (!this->HasOwnIds())
+  {
+    return a < b;
+  }
+  const auto tie = [](const SkdContactLabel& label)
+  { return std::tie(label.FirstBlock, label.FirstCell, label.SecondBlock, label.SecondCell); };
+  const SkdContactLabel first = this->LabelOf(a);
+  const SkdContactLabel second = this->LabelOf(b);
+  return tie(first) != tie(second) ? tie(first) < tie(second) : a < b;
 }
 
 SkdCurveParts SkdContacts::FindParts() const

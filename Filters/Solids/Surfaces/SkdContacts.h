@@ -93,6 +93,9 @@ private:
   SkdCurveParts FindParts() const;
   void FindSegments(SkdCurveParts& parts) const;
   void FindLonePoints(SkdCurveParts& parts) const;
+  void KeepLowest(std::vector<SkdEndPair>& lone) const;
+  bool HasOwnIds() const { return !this->First.Ids.empty(); }
+  bool IsLower(std::size_t a, std::size_t b) const; // of two pairs
   SkdCurves JoinAlone(SkdCurveParts parts) const;
   SkdCurves JoinSpread(SkdCurveParts parts, bool isJoined, SkdTransport& transport) const;
   const skd::Vector3& PositionOf(std::uint32_t point, const SkdCurves& curves) const;

@@ -96,17 +96,43 @@ private:
   const std::vector<SkdBlock>& Blocks;
   vtkPolyData* To;
 };
+
+/// Pieces of a triangle begin with their least corner by coordinates, however points are numbered.
+void BeginAtLeast(const SkdMovedTriangles& set, SkdSplitResult& split)
+{
+  const std::size_t old = set.GetPoints().size();
+  const auto isBefore = [&](std::uint32_t a, std::uint32_t b)
+  {
+    const auto at = [&](std::uint32_t i) -> const skd::Vector3&
+    { return i < old ? set.GetPoints()[i] : split.Points[i - old].Position; };
+    return at(a) < at(b);
+  };
+  const std::size_t n = split.Triangles.size();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const bool isPiece = (i > 0 && split.Parents[i - 1] == split.Parents[i]) ||
+      (i + 1 < n && split.Parents[i + 1] == split.Parents[i]);
+    SkdTriangleSet::Corners& corners = split.Triangles[i];
+    if (isPiece)
+    {
+      const auto least = static_cast<std::size_t>(
+        std::min_element(corners.begin(), corners.end(), isBefore) - corners.begin());
+      corners = { corners[least], corners[(least + 1) % 3], corners[(least + 2) % 3] };
+    }
+  }
+}
 }
 
 vtkIdType SkdFillSplitSurface(const SkdSplitSegments& segments, int side,
   const std::vector<SkdBlock>& blocks, bool isComposite, double scale, vtkPolyData* output,
   std::set<std::string>& refused, SkdLoop& loop)
 {
-  const std::optional<SkdSplitResult> split = SkdSplitTriangles(segments, side, loop);
+  std::optional<SkdSplitResult> split = SkdSplitTriangles(segments, side, loop);
   if (!split)
   {
     return 0;
   }
+  BeginAtLeast(*segments.GetSide(side).Set, *split);
   const Output to(*segments.GetSide(side).Set, *split, blocks, output);
   to.FillShape(scale);
   if (!blocks.empty())

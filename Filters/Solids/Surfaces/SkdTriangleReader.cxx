@@ -4,6 +4,7 @@
 
 #include "Bodies/SkdOuterSurface.h"
 #include "Core/Geometry/Predicates/ExactScale.h"
+#include "Pipeline/SkdVolumeCells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,21 +105,51 @@ void SkdTriangleReader::Read(int block, vtkDataSet* mesh, double chordalLength)
   this->To.CoarseFaces += surface.GetNumberOfCoarseFaces();
   this->MarkPoints(surface);
   this->ReadPoints(block, surface);
+  const bool hasVolumes = SkdHasVolumeCells(mesh);
+  this->HasVolumes = this->HasVolumes || hasVolumes;
   const std::uint32_t* const ids = this->Ids.data();
-  surface.ForEachFace(
-    [&](vtkIdType face, vtkIdType size, const auto* corners)
+  const auto add = [&](vtkIdType face, vtkIdType size, const auto* corners)
+  {
+    const SkdTriangleCell cell{ block, surface.GetCellId(face) };
+    if (size == 3)
     {
-      const SkdTriangleCell cell{ block, surface.GetCellId(face) };
-      if (size == 3)
-      {
-        this->AddTriangle(cell, { ids[corners[0]], ids[corners[1]], ids[corners[2]] });
-        return;
-      }
-      this->AddPolygon(cell, size, corners);
-    });
+      this->AddTriangle(cell, { ids[corners[0]], ids[corners[1]], ids[corners[2]] });
+      return;
+    }
+    this->AddPolygon(cell, size, corners);
+  };
+  const auto addTurned = [&](vtkIdType face, vtkIdType size, const auto* corners)
+  {
+    if (surface.IsOfVolume(face))
+    {
+      add(face, size, this->BeginAtLeast(size, corners));
+      return;
+    }
+    add(face, size, corners);
+  };
+  hasVolumes ? surface.ForEachFace(addTurned) : surface.ForEachFace(add);
   this->To.Triangles.resize(this->NumberOfTriangles);
   this->To.CellOf.resize(this->NumberOfTriangles);
   this->To.Cells.resize(this->NumberOfCells);
+}
+
+//------------------------------------------------------------------------------
+// A corner that is not finite is no least one.
+template <class Corner>
+const vtkIdType* SkdTriangleReader::BeginAtLeast(vtkIdType size, const Corner* corners)
+{
+  const auto isBefore = [this](vtkIdType a, vtkIdType b)
+  {
+    const std::uint32_t first = this->Ids[static_cast<std::size_t>(a)];
+    const std::uint32_t second = this->Ids[static_cast<std::size_t>(b)];
+    return first != NotFinite &&
+      (second == NotFinite || this->To.Points[first] < this->To.Points[second]);
+  };
+  std::vector<vtkIdType>& turned = this->Turned;
+  turned.assign(corners, corners + size);
+  std::rotate(
+    turned.begin(), std::min_element(turned.begin(), turned.end(), isBefore), turned.end());
+  return turned.data();
 }
 
 //------------------------------------------------------------------------------
@@ -226,22 +257,22 @@ void SkdTriangleReader::AddPolygon(
 }
 
 //------------------------------------------------------------------------------
-SkdReadTriangles SkdTriangleReader::Take()
+SkdReadTriangles SkdTriangleReader::Take(double largestCoordinate)
 {
-  if (!this->IsSorted)
+  if (!this->IsSorted || this->HasVolumes)
   {
     this->Sort();
   }
-  this->TakeTinyAsZero();
+  this->TakeTinyAsZero(largestCoordinate);
   return std::move(this->To);
 }
 
 //------------------------------------------------------------------------------
 // Triangles whose corners become equal are left out.
-void SkdTriangleReader::TakeTinyAsZero()
+void SkdTriangleReader::TakeTinyAsZero(double largestCoordinate)
 {
   SkdReadTriangles& to = this->To;
-  const double least = skd::LeastExactCoordinate * skd::LargestCoordinate(to.Bounds);
+  const double least = skd::LeastExactCoordinate * largestCoordinate;
   if (!(to.LeastCoordinate < least))
   {
     return;
@@ -276,8 +307,18 @@ void SkdTriangleReader::Sort()
   { return from.Cells[from.CellOf[triangle]]; };
   std::vector<std::uint32_t> order(from.Triangles.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(),
-    [&](std::uint32_t a, std::uint32_t b) { return cellOf(a) < cellOf(b); });
+  const auto isBefore = [&](std::uint32_t a, std::uint32_t b)
+  {
+    if (cellOf(a) < cellOf(b) || cellOf(b) < cellOf(a) || !this->HasVolumes)
+    {
+      return cellOf(a) < cellOf(b);
+    }
+    return std::lexicographical_compare(from.Triangles[a].begin(), from.Triangles[a].end(),
+      from.Triangles[b].begin(), from.Triangles[b].end(),
+      [&](std::uint32_t one, std::uint32_t other)
+      { return from.Points[one] < from.Points[other]; });
+  };
+  std::stable_sort(order.begin(), order.end(), isBefore);
   this->To.Cells.clear();
   for (std::size_t i = 0; i < order.size(); ++i)
   {

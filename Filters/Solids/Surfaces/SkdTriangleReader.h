@@ -85,16 +85,21 @@ struct SkdReadTriangles
 };
 
 /// Reads SkdBlockSurface as SkdBoundary does, but welds no points and compares no faces: surfaces
-/// that are used once are read in a fraction of the time.
+/// that are used once are read in a fraction of the time. Faces of volume cells begin with their
+/// least corner by coordinates, and those of a cell are in the order of these, so that neither
+/// depends on how points are numbered, as they do for VTK.
 class SkdTriangleReader
 {
 public:
   /// Curved faces as facets no farther from them than a length (SkdChordalLength).
   void Read(int block, vtkDataSet* mesh, double chordalLength);
 
+  /// The largest magnitude of a coordinate that was read.
+  double GetLargestCoordinate() const { return skd::LargestCoordinate(this->To.Bounds); }
+
   /// What was read, in order. Coordinates so small beside the largest one that signs would not be
-  /// exact (skd::LeastExactCoordinate) are taken as 0.
-  SkdReadTriangles Take();
+  /// exact (skd::LeastExactCoordinate) are taken as 0; it may be larger than those that were read.
+  SkdReadTriangles Take(double largestCoordinate);
 
 private:
   using Corners = SkdReadTriangles::Corners;
@@ -102,6 +107,8 @@ private:
   static constexpr std::uint32_t NotFinite = 0xfffffffeu;
   static constexpr std::uint32_t Used = 0xfffffffdu; // and to be numbered
 
+  template <class Corner>
+  const vtkIdType* BeginAtLeast(vtkIdType size, const Corner* corners);
   void MarkPoints(const SkdBlockSurface& surface);
   void ReadPoints(int block, const SkdBlockSurface& surface);
   bool AreSame(std::uint32_t a, std::uint32_t b) const;
@@ -112,14 +119,16 @@ private:
   void AddPolygon(const SkdTriangleCell& cell, vtkIdType size, const Corner* corners);
   void Append(const SkdTriangleCell& cell, const Corners& corners, bool hasArea);
   void Sort();
-  void TakeTinyAsZero();
+  void TakeTinyAsZero(double largestCoordinate);
 
   SkdReadTriangles To; // has room for more while a data set is read
   std::size_t NumberOfTriangles = 0;
   std::size_t NumberOfCells = 0;
   bool IsSorted = true;
+  bool HasVolumes = false;                       // blocks with volume cells
   std::vector<std::uint32_t> Ids;                // of the points of the block that is read
   std::vector<vtkIdType> Polygon;                // the corners of the face that is read
+  std::vector<vtkIdType> Turned;                 // likewise, from its least
   std::optional<SkdTriangulation> Triangulation; // made when it is first needed
 };
 }

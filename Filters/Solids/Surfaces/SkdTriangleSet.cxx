@@ -35,19 +35,37 @@ bool SkdTriangleSet::Update(
   const std::vector<SkdBlock>& blocks, double chordalDeviation, const skd::Processes* processes)
 {
   const double chordalLength = SkdChordalLength(blocks, chordalDeviation, processes);
-  if (this->IsRead && this->ChordalLength == chordalLength && this->Meshes.AreSameAs(blocks))
+  const bool isSame =
+    this->IsRead && this->ChordalLength == chordalLength && this->Meshes.AreSameAs(blocks);
+  std::optional<SkdTriangleReader> reader;
+  const auto read = [&]
+  {
+    *this = SkdTriangleSet();
+    this->ChordalLength = chordalLength;
+    reader.emplace();
+    int block = 0;
+    for (const SkdBlock& structure : this->Meshes.Keep(blocks))
+    {
+      reader->Read(block++, structure.Mesh, chordalLength);
+    }
+  };
+  if (!isSame)
+  {
+    read();
+  }
+  const double own =
+    reader ? reader->GetLargestCoordinate() : skd::LargestCoordinate(this->Read.Bounds);
+  const double largest = processes ? -processes->LeastOf(-own) : own;
+  if (!reader && largest == this->GetLargestCoordinate())
   {
     return false;
   }
-  *this = SkdTriangleSet();
-  this->ChordalLength = chordalLength;
-  SkdTriangleReader reader;
-  int block = 0;
-  for (const SkdBlock& structure : this->Meshes.Keep(blocks))
+  if (!reader)
   {
-    reader.Read(block++, structure.Mesh, chordalLength);
+    read();
   }
-  this->Read = reader.Take();
+  this->LargestElsewhere = processes ? largest : 0.0;
+  this->Read = reader->Take(largest);
   this->IsRead = true;
   return true;
 }
@@ -339,7 +357,7 @@ void SkdTriangleSet::FindRuns() const
 double SkdTriangleSet::GetLargestCoordinate() const
 {
   const skd::Box3& bounds = this->Read.Bounds;
-  return bounds.IsEmpty() ? 0.0 : skd::LargestCoordinate(bounds);
+  return std::max(this->LargestElsewhere, bounds.IsEmpty() ? 0.0 : skd::LargestCoordinate(bounds));
 }
 
 //------------------------------------------------------------------------------

@@ -57,6 +57,8 @@ public:
 
   /// Updates the set to `blocks`, with curved faces as facets within a chordal deviation relative
   /// to the diagonal of all (see SkdChordalLength). Returns whether it was read or is unchanged.
+  /// With processes each has a piece, and what is relative to the largest coordinate is so to that
+  /// of all.
   bool Update(const std::vector<SkdBlock>& blocks, double chordalDeviation,
     const skd::Processes* processes = nullptr);
 
@@ -181,7 +183,7 @@ public:
 
   const skd::Box3& GetBounds() const { return this->Read.Bounds; }
 
-  /// The largest magnitude of a coordinate.
+  /// The largest magnitude of a coordinate, of all processes.
   double GetLargestCoordinate() const;
 
   /// A lower bound of the width of triangles, smaller than most where triangles are small.
@@ -193,6 +195,7 @@ private:
 
   SkdBlockSnapshots Meshes;
   double ChordalLength = 0.0;
+  double LargestElsewhere = 0.0; // coordinate of other processes
   SkdReadTriangles Read;
   std::vector<std::uint32_t> PointOf; // of each point that was read, when merged
   bool IsRead = false;
