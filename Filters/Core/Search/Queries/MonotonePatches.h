@@ -88,22 +88,29 @@ public:
       });
   }
 
-  /// Marks the packets of a range in which it finds monotone patches: all, or in parts of a quarter
-  /// of `size`, which the range has unless it is the last one.
+  /// Marks the packets of a range in which it finds monotone patches: of `size` packets, or fewer
+  /// at the end of all, and where these are none in parts of a quarter. Single packets are looked
+  /// at only beside patches: elsewhere few are found, as among edges of solids.
   void Find(
     std::size_t begin, std::size_t end, std::size_t size, std::vector<std::uint8_t>& found) const
   {
-    if (this->IsMonotone(begin, end))
+    bool areSome = false;
+    for (std::size_t at = begin; at < end; at += size)
     {
-      std::fill(found.begin() + static_cast<std::ptrdiff_t>(begin),
-        found.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t(1));
-    }
-    else if (end - begin > 1)
-    {
-      const std::size_t step = std::max<std::size_t>(1, size / 4);
-      for (std::size_t at = begin; at < end; at += step)
+      const std::size_t to = std::min(end, at + size);
+      if (this->IsMonotone(at, to))
       {
-        this->Find(at, std::min(end, at + step), step, found);
+        areSome = true;
+        std::fill(found.begin() + static_cast<std::ptrdiff_t>(at),
+          found.begin() + static_cast<std::ptrdiff_t>(to), std::uint8_t(1));
+      }
+    }
+    const std::size_t part = size / 4;
+    for (std::size_t at = begin; at < end && part > 0 && (part > 1 || areSome); at += size)
+    {
+      if (found[at] == 0)
+      {
+        this->Find(at, std::min(end, at + size), part, found);
       }
     }
   }
@@ -326,7 +333,7 @@ MonotonePatches::MonotonePatches(const PackedRTree& tree, std::size_t numberOfTr
   : Found(tree.GetNumberOfPackets(), 0)
 {
   constexpr std::size_t most = 64; // packets of a patch
-  constexpr std::size_t few = 128; // triangles, the pairs of which are soon looked at
+  constexpr std::size_t few = 512; // triangles, the pairs of which are soon looked at
   const bool isSubset = points.size() > 2 * numberOfTriangles; // of a surface, cut out of it
   if (numberOfTriangles < few || isSubset || points.size() > UnpairedEdges::MostPoints)
   {
