@@ -216,26 +216,22 @@ private:
   {
     constexpr int most = 4; // times that it is made longer
     const int axis = static_cast<int>(direction / 2);
-    bool isLong = false;
-    for (int i = 0; i < most && !isLong; ++i)
+    for (int i = 0; i < most; ++i)
     {
       Lengthen(axis, box);
       GridBox longer = box;
-      if (!this->IsSeenOnce(direction, this->Tree.GetBoxOf(begin, 0), box))
+      if (!this->IsSeenOnce(direction, this->Tree.GetBoxOf(begin, 0), box) ||
+        !this->DoAllFace(direction, box, longer))
       {
-
         return false;
       }
-      if (!this->DoAllFace(direction, box, longer))
+      if (longer.Min[axis] == box.Min[axis] && longer.Max[axis] == box.Max[axis])
       {
-
-        return false;
+        return true;
       }
-      isLong = longer.Min[axis] == box.Min[axis] && longer.Max[axis] == box.Max[axis];
       box = longer;
     }
-
-    return isLong;
+    return false;
   }
 
   static void Lengthen(int axis, GridBox& box)
