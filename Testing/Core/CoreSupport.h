@@ -142,6 +142,7 @@ public:
     ++this->Opened;
     return this->TheTree.Open(node);
   }
+  void Fetch(std::uint32_t) const {}
   std::uint32_t Element(std::uint32_t position) const { return this->TheTree.Element(position); }
   const auto& GetFrame() const { return this->TheTree.GetFrame(); }
   const auto& GetBounds() const { return this->TheTree.GetBounds(); }

@@ -59,11 +59,15 @@ public:
       }
     }
     this->Dropped.DropLeaves();
+    this->Dropped.NoteData(DataOf);
     const double widening = skd::TrianglePacket::WideningOf(this->LargestUnit);
     const skd::LeafCorners corners{ areTriangles ? this->Triangles.data() : nullptr,
       areTriangles ? nullptr : this->Corners.data(), widening };
     this->Compact = { this->Dropped.View(), corners, this->Margin() };
   }
+
+  /// Where the data of a leaf are said to be: soon too far from the first of a node.
+  static std::uint32_t DataOf(std::uint32_t leaf) { return 3 + 20000 * leaf; }
 
   double Excess() const { return this->Margin() + this->Compact.Widening(); }
 
@@ -202,6 +206,36 @@ TEST(CompactTree, BoxesHoldSafetyBoxesAndAreHardlyWider)
       EXPECT_EQ(elements, boxes.size());
     });
   EXPECT_GT(made, 1000u);
+}
+
+TEST(CompactTree, InnerNodesTellWhereDataOfTheirLeavesAre)
+{
+  std::size_t told = 0, tooFar = 0;
+  ForEachPair(
+    [&](const Boxes<3>&, const Pair& pair)
+    {
+      for (std::uint32_t i = 0; i < pair.Whole.NumberOfNodes(); ++i)
+      {
+        if (pair.Whole.Open(i).IsLeaf)
+        {
+          continue;
+        }
+        const auto& known = pair.Dropped.Open(i).Read<skd::KnownLeaves>();
+        std::vector<std::uint32_t> data;
+        for (int lane = 0; lane < 8; ++lane)
+        {
+          if (known.IsKnown(lane))
+          {
+            data.push_back(Pair::DataOf(known.NumberOf(lane)));
+            const bool isNear = data.back() - data.front() < 1u << 16;
+            ++(isNear ? told : tooFar);
+            ASSERT_EQ(known.DataOf(lane), isNear ? data.back() : data.front() + 0xffffu);
+          }
+        }
+      }
+    });
+  EXPECT_GT(told, 1000u);
+  EXPECT_GT(tooFar, 1000u);
 }
 
 TEST(CompactTree, BoxesAndPointsReachWhatTheyReachInTheWholeTree)

@@ -146,6 +146,7 @@ struct KnowsLeaves : LowerEnds<IsOrdered>
     return this->TestBoxes(this->Boxes[number], keys) & skd::LowBits(count);
   }
   void FetchKnown(std::uint32_t number) const { EXPECT_LT(number, this->Boxes.size()); }
+  void FetchData(std::uint32_t) const {}
 
   std::vector<skd::BoxPacket<1, 8>> Boxes;
   int Opened = 0;
@@ -246,6 +247,7 @@ public:
     opened.First = 8 * (node / 8 + 1);
     return opened;
   }
+  void Fetch(std::uint32_t) const {}
   std::uint32_t Element(std::uint32_t position) const { return position; }
 
   mutable std::uint32_t Deepest = 0;

@@ -221,6 +221,12 @@ SkdLeafFilters::Arrays::Arrays(const SkdCellStore& store, skd::Tree<3>& tree, do
     tree.DropLeaves();
     this->AreDropped = true;
     this->FillPoints(store, tree);
+    if (!this->Triangles.empty())
+    {
+      const skd::TrianglePackets view = this->ViewTriangles();
+      tree.NoteData([&](std::uint32_t leaf)
+        { return view.GetPoints().LineOf(this->Triangles[leaf].FirstPoint); });
+    }
   }
 }
 

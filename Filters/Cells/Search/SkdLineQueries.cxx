@@ -175,7 +175,7 @@ void SkdCellTree::WalkAlong(const skd::Segment<3>& segment, double margin, Visit
   // Walks that are inlined would take their stacks from all that calls them.
   const auto narrow = [&]() SKD_NOINLINE
   {
-    using LeafFilter = skd::LineLeafFilter;
+    using LeafFilter = skd::LineLeafFilter<false>;
     const skd::Shear shear(segment.B - segment.A);
     skd::AlongSegment<3, Visitor, LeafFilter, InOrder> query(
       this->GetFrame(), segment, margin, visitor, this->Packets, shear);

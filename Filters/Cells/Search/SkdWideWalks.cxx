@@ -112,7 +112,7 @@ template <bool InOrder>
 SKD_FLATTEN void WalkAlong(const SkdWideTree& tree, const skd::Segment<3>& segment, double margin,
   const SkdWideVisitor& visitor)
 {
-  using LeafFilter = skd::LineLeafFilter;
+  using LeafFilter = skd::LineLeafFilter<false>;
   const skd::CompactTree& view = ViewOf(tree);
   const skd::Shear shear(segment.B - segment.A);
   skd::AlongSegment<3, const SkdWideVisitor, LeafFilter, InOrder> query(

@@ -26,18 +26,19 @@ struct SlabPacket;
 /// where it has no more.
 struct PacketPoints : PointArray
 {
-  /// As many as packets have usually.
-  void Fetch(std::uint32_t first) const
+  static constexpr std::size_t Line = 64; ///< bytes that are fetched together
+
+  /// How many lines of the array lie before a point.
+  std::uint32_t LineOf(std::size_t point) const
   {
-    const std::size_t at = 3 * std::size_t(first);
-    if (this->Floats)
-    {
-      FetchLines<128>(this->Floats + at);
-    }
-    else
-    {
-      FetchLines<256>(this->Doubles + at);
-    }
+    return static_cast<std::uint32_t>(
+      point * (3 * (this->Floats ? sizeof(float) : sizeof(double))) / Line);
+  }
+  /// As many as packets have usually.
+  void Fetch(std::uint32_t line) const
+  {
+    const void* const floats = this->Floats;
+    FetchLines<4 * Line>(static_cast<const char*>(floats ? floats : this->Doubles) + Line * line);
   }
 };
 
@@ -59,12 +60,13 @@ public:
 
   /// Whether there are points: the packets are then those of all leaves, by number.
   bool HavePoints() const { return this->Points.Floats || this->Points.Doubles; }
+  const PacketPoints& GetPoints() const { return this->Points; }
 
   ///@{
   /// TriangleLeafFilters.h has these.
   const TrianglePacket& Of(std::uint32_t number) const;
   void Fetch(std::uint32_t number) const;
-  void FetchPoints(std::uint32_t number) const;
+  void FetchData(std::uint32_t) const {}
   Vector3 Corner(std::uint32_t number, std::uint32_t lane, int corner) const;
   /// body(along): along(axis) returns what a triangle's three corners have along it.
   template <class Body>

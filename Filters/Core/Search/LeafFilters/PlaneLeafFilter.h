@@ -60,6 +60,7 @@ public:
     return passed;
   }
 
+  void FetchData(std::uint32_t) const {}
   void Fetch(std::uint32_t number) const
   {
     const PlanePackets& packets = this->Packets;

@@ -24,11 +24,6 @@ inline void TrianglePackets::Fetch(std::uint32_t number) const
   FetchLines<sizeof(TrianglePacket)>(this->First + number);
 }
 
-inline void TrianglePackets::FetchPoints(std::uint32_t number) const
-{
-  this->Points.Fetch(this->First[number].FirstPoint);
-}
-
 inline Vector3 TrianglePackets::Corner(std::uint32_t number, std::uint32_t lane, int corner) const
 {
   const TrianglePacket& packet = this->First[number];
@@ -79,7 +74,9 @@ private:
   Vector3 Local;
 };
 
-/// The triangles that a line may intersect.
+/// The triangles that a line may intersect. `OfAll`: of a tree whose packets have points, so that
+/// every node is known. Lanes that are not in use then have triangles of no area.
+template <bool OfAll>
 class LineLeafFilter : public TrianglePackets
 {
 public:
@@ -94,36 +91,22 @@ public:
 
   static constexpr bool GivesKeys = false;
 
+  static bool Knows(const Node<3>& node) { return OfAll || TrianglePackets::Knows(node); }
+  void FetchData(std::uint32_t line) const
+  {
+    if (OfAll)
+    {
+      this->GetPoints().Fetch(line);
+    }
+  }
   unsigned Pass(std::uint32_t number, std::uint32_t count, float*, float&) const
   {
-    if (this->HavePoints())
-    {
-      this->FetchPoints(number);
-    }
-    return this->Crossings.MayIntersect(this->Of(number)) & LowBits(count);
+    const unsigned passed = this->Crossings.MayIntersect(this->Of(number));
+    return OfAll ? passed : passed & LowBits(count);
   }
 
-protected:
+private:
   TriangleCrossings Crossings;
-};
-
-/// The same of a tree whose packets have points: every node is known. Lanes that are not in use
-/// have triangles of no area.
-class LineLeafFilterOfAll : public LineLeafFilter
-{
-public:
-  using LineLeafFilter::LineLeafFilter;
-
-  template <class Node>
-  static constexpr bool Knows(const Node&)
-  {
-    return true;
-  }
-  unsigned Pass(std::uint32_t number, std::uint32_t, float*, float&) const
-  {
-    this->FetchPoints(number);
-    return this->Crossings.MayIntersect(this->Of(number));
-  }
 };
 
 }

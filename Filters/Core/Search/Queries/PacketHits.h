@@ -69,7 +69,6 @@ public:
   /// Visits what is wanted at once: lines differ in it.
   unsigned TestKnown(std::uint32_t number, std::uint32_t count, float*)
   {
-    this->Packets.FetchPoints(number);
     const TrianglePacket& packet = this->Packets.Of(number);
     ForEachLane(this->Packet.Through(packet.Grid),
       [&](int line)
@@ -80,6 +79,7 @@ public:
     return 0;
   }
   void FetchKnown(std::uint32_t leaf) const { this->Packets.Fetch(leaf); }
+  void FetchData(std::uint32_t line) const { this->Packets.GetPoints().Fetch(line); }
   float Limit() const { return this->Packet.Limit(); }
   bool Visit(std::uint32_t) const { return true; }
 

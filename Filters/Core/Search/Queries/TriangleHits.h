@@ -72,7 +72,10 @@ public:
     return { number * Width, this->View.LeafAt(number).Count };
   }
   std::uint32_t Element(std::uint32_t laneOfAll) const { return laneOfAll; }
-  void FetchElements(std::uint32_t) const {}
+  void FetchElements(std::uint32_t laneOfAll) const
+  {
+    this->View.FetchElements(this->View.LeafAt(laneOfAll / Width).First);
+  }
   /// The element itself.
   std::uint32_t ElementAt(std::uint32_t number, std::uint32_t lane) const
   {
@@ -113,7 +116,7 @@ SKD_FLATTEN void VisitTriangleHits(const TreeView<3>& tree, const TrianglePacket
     }
     return limit;
   };
-  AlongSegment<3, decltype(test), LineLeafFilterOfAll, InOrder> query(
+  AlongSegment<3, decltype(test), LineLeafFilter<true>, InOrder> query(
     tree.GetFrame(), segment, tolerance, test, packets, view.GetShear());
   Walk(lanes, query);
 }

@@ -66,6 +66,7 @@ public:
   bool IsEmpty() const { return !this->Nodes; }
 
   const Node<D>& Open(std::uint32_t node) const { return this->Nodes->Open(node); }
+  void Fetch(std::uint32_t) const {} ///< it may not be there yet
 
   /// Only for positions in opened leaves: others may still change.
   std::uint32_t Element(std::uint32_t position) const { return this->Nodes->ElementAt(position); }

@@ -6,9 +6,11 @@
 #include "Frame.h"
 #include "Lanes.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <new>
 #include <type_traits>
 
@@ -108,7 +110,7 @@ struct alignas(64) Node
   bool IsLeaf = false;
   std::uint32_t Tag = NoTag; ///< what the tree's owner keeps of the elements below
   /// The owner's, too, in what would be padding; not set until it sets it.
-  alignas(std::uint32_t) unsigned char Note[32];
+  alignas(std::uint32_t) unsigned char Note[52];
 
   static constexpr std::uint32_t NoTag = 0xffffffffu;
   void SetCount(std::uint32_t count)
@@ -141,9 +143,33 @@ struct KnownLeaves
   static constexpr std::uint32_t Mark = 0x80000000u;
 
   std::uint32_t Entries[8]; ///< by lane: the index of a node, or the number of a leaf and the mark
+  ///@{
+  /// Where what belongs to each leaf begins in an array of the owner's, so that it can be fetched
+  /// before the leaf is looked at. What is too far from the first is only not fetched.
+  std::uint32_t FirstData = 0;
+  std::uint16_t DataOffsets[8] = {};
+  ///@}
 
   bool IsKnown(int lane) const { return (this->Entries[lane] & Mark) != 0; }
   std::uint32_t NumberOf(int lane) const { return this->Entries[lane] & ~Mark; }
+  std::uint32_t DataOf(int lane) const { return this->FirstData + this->DataOffsets[lane]; }
+
+  template <class DataOf>
+  void NoteData(const DataOf& dataOf)
+  {
+    constexpr std::uint32_t most = std::numeric_limits<std::uint16_t>::max();
+    for (int lane = 0, last = -1; lane < 8; ++lane)
+    {
+      if (this->IsKnown(lane))
+      {
+        const std::uint32_t data = dataOf(this->NumberOf(lane));
+        this->FirstData = last < 0 ? data : this->FirstData;
+        this->DataOffsets[lane] =
+          static_cast<std::uint16_t>(std::min(data - this->FirstData, most));
+        last = lane;
+      }
+    }
+  }
 };
 
 ///@{

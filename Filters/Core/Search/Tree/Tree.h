@@ -92,6 +92,20 @@ public:
       }
     }
   }
+  /// Then: where the owner has more of each leaf, dataOf(number), which rises (KnownLeaves).
+  template <class DataOf>
+  void NoteData(const DataOf& dataOf)
+  {
+    for (Node<D>& node : this->Nodes)
+    {
+      if (!node.IsLeaf)
+      {
+        auto known = node.template Read<KnownLeaves>();
+        known.NoteData(dataOf);
+        node.Write(known);
+      }
+    }
+  }
   ///@}
 
   TreeView<D> View() const

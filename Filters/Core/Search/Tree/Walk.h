@@ -20,18 +20,6 @@ constexpr int MostLevels = 16;
 namespace detail
 {
 
-/// Prefetches the nodes that will be opened next: in trees larger than the caches, traversals
-/// mostly wait for memory.
-template <class Tree>
-auto Fetch(const Tree& tree, std::uint32_t node, int) -> decltype(tree.Fetch(node))
-{
-  tree.Fetch(node);
-}
-template <class Tree>
-void Fetch(const Tree&, std::uint32_t, long)
-{
-}
-
 /// Whether a traversal may skip leaf nodes: the tree gives their elements by number, and the query
 /// has its own test for these.
 template <class Tree, class Query, class = void>
@@ -193,7 +181,12 @@ private:
       std::uint32_t index = node.First + static_cast<std::uint32_t>(lane);
       if constexpr (Skips)
       {
-        index = isKnown ? node.template Read<KnownLeaves>().Entries[lane] : index;
+        const auto& known = node.template Read<KnownLeaves>();
+        index = isKnown ? known.Entries[lane] : index;
+        if (IsMarked(index)) // what is needed last is asked for first
+        {
+          this->TheQuery.FetchData(known.DataOf(lane));
+        }
       }
       else if constexpr (Sure)
       {
@@ -238,6 +231,8 @@ private:
     *at = entry;
   }
 
+  /// Prefetches what will be opened later: in trees larger than the caches, traversals mostly wait
+  /// for memory.
   QueueEntry Fetched(QueueEntry entry) const
   {
     if constexpr (Skips)
@@ -248,7 +243,7 @@ private:
         return entry;
       }
     }
-    Fetch(this->TheTree, Sure ? IndexOf(entry) : static_cast<std::uint32_t>(entry), 0);
+    this->TheTree.Fetch(Sure ? IndexOf(entry) : static_cast<std::uint32_t>(entry));
     return entry;
   }
 
@@ -336,7 +331,7 @@ private:
 /// The traversal of a tree. It serves every query and need not be changed for new ones.
 ///
 /// A Tree gives IsEmpty(), Open(node index) -> const Node<D>& (or what OpenIn() does instead),
-/// Element(position) -> element index.
+/// Element(position) -> element index, Fetch(node index).
 /// A Query is a small value that gives
 ///   static constexpr bool Ordered        visit the least key first?
 ///   unsigned TestBoxes(const BoxPacket&, float* keys)
@@ -347,9 +342,9 @@ private:
 ///   static constexpr bool SkipsLeaves   if there and true, it gives
 ///   bool Knows(const Node&)              whether the node's note, if it is an inner one, is
 ///                                        KnownLeaves: these need not be opened
-///   unsigned TestKnown(number, count, float* keys), void FetchKnown(number)
-///                                        what TestElements() does, by a leaf's number, and
-///                                        that this test will follow
+///   unsigned TestKnown(number, count, float* keys), void FetchKnown(number), FetchData(data)
+///                                        what TestElements() does, by a leaf's number, that this
+///                                        test will follow, and what KnownLeaves say of its data
 ///   static constexpr bool GivesKeys      whether that sets the keys
 ///   unsigned SureOf(const Node&), bool VisitSure(element index)
 ///                                        if there, and not Ordered: the lanes below which all is
@@ -380,7 +375,8 @@ void Walk(const Tree& tree, Query& query)
 ///                                       as TestBoxes() of a query, whose limit it may lower, of a
 ///                                       leaf's number and how many elements it has
 ///   static constexpr bool SkipsLeaves   whether numbers are those of KnownLeaves; if so it gives
-///   void Fetch(number), and static constexpr bool GivesKeys: whether Pass() sets the keys then
+///   void Fetch(number), FetchData(data), and static constexpr bool GivesKeys: whether Pass() sets
+///                                       the keys then
 /// AlongSegment first calls Aim(point, margin), in the frame: where the segment begins, clipped to
 /// where the tree is. This one knows nothing.
 struct NoLeafFilter
@@ -431,6 +427,7 @@ public:
     return this->TheLeafFilter.Pass(leaf, count, keys, this->TheLimit);
   }
   void FetchKnown(std::uint32_t leaf) const { this->TheLeafFilter.Fetch(leaf); }
+  void FetchData(std::uint32_t data) const { this->TheLeafFilter.FetchData(data); }
 
   float Limit() const { return this->TheLimit; }
 
