@@ -6,9 +6,11 @@
 #include "Core/Geometry/Vector.h"
 #include "vtkType.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <vector>
 
 namespace skdtree
@@ -58,9 +60,7 @@ public:
     std::uint64_t hash = 0;
     for (const double coordinate : point.X)
     {
-      std::uint64_t bits;
-      std::memcpy(&bits, &coordinate, sizeof(bits));
-      hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+      hash = (hash ^ BitsOf(coordinate)) * 0x9e3779b97f4a7c15u;
       hash ^= hash >> 29;
     }
     return static_cast<std::size_t>(hash ^ (hash >> 32));
@@ -68,6 +68,13 @@ public:
 
 private:
   static constexpr std::size_t Fewest = 64;
+
+  static std::uint64_t BitsOf(double coordinate)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &coordinate, sizeof(bits));
+    return bits;
+  }
 
   /// The slot of a point, or the free one where it belongs.
   vtkIdType& FindSlot(const skd::Vector3& point)
@@ -83,7 +90,9 @@ private:
 
   bool HaveSameBits(vtkIdType id, const skd::Vector3& point) const
   {
-    return std::memcmp(this->Points[static_cast<std::size_t>(id)].X, point.X, sizeof(point.X)) == 0;
+    const skd::Vector3& other = this->Points[static_cast<std::size_t>(id)];
+    return std::equal(std::begin(point.X), std::end(point.X), std::begin(other.X),
+      [](double a, double b) { return BitsOf(a) == BitsOf(b); });
   }
 
   void Grow()
