@@ -71,7 +71,8 @@
  * pieces) and SkdHitNumber are those of all. Ties go to the lowest id there. SkdNumberOfHits is so
  * of each cell that a process has, but 0 of ghosts, and of one that differs by rounding alone from
  * the same cell of another process that counts it. An Input in AMR form, and without VTK's module
- * ParallelDIY any, is gathered, and the first process outputs all.
+ * ParallelDIY any, is gathered, and the first process outputs all. Equal curve cells of two
+ * processes count once; points of two processes at one place are one, with the data of the first.
  *
  * Bad input: cells that are not curves in Input or not surfaces in Source, curves with zero length
  * or a length outside 1e-140 to 1e140, coordinates that are not finite, Bezier weights that are not

@@ -34,6 +34,7 @@ struct SkdSurfaceHit
   bool IsExact;
   bool Begins;
   bool OnBoundary;
+  bool Closes; ///< was at the end of a closed curve, and is where it began
 };
 
 /// An intersection of a curve and a surface, for any number of pieces and elements that meet there.

@@ -216,9 +216,10 @@ std::vector<SkdSurfaceIntersection> SkdSurfaceHitFinder::Unite(Hits& hits) const
   for (SkdSurfaceHit& hit : hits)
   {
     const SkdCurve& curve = this->Curves.GetCurves()[hit.Curve];
-    if (curve.IsClosed && hit.Piece + 1 == curve.LastPiece && hit.T == 1.0)
+    hit.Closes = curve.IsClosed && hit.Piece + 1 == curve.LastPiece && hit.T == 1.0;
+    if (hit.Closes)
     {
-      hit.Piece = curve.FirstPiece; // where it began
+      hit.Piece = curve.FirstPiece;
       hit.T = 0.0;
     }
     hit.U = static_cast<double>(hit.Piece - curve.FirstPiece) + hit.T;
@@ -227,7 +228,7 @@ std::vector<SkdSurfaceIntersection> SkdSurfaceHitFinder::Unite(Hits& hits) const
   {
     const SkdSurfaceElement& element = elements[hit.Element];
     return std::tuple(hit.Curve, hit.U, element.Part, element.Block, element.CellId, hit.Element,
-      hit.Begins, hit.Piece);
+      hit.Begins, hit.Piece, hit.Closes);
   };
   std::sort(hits.begin(), hits.end(),
     [&](const SkdSurfaceHit& a, const SkdSurfaceHit& b) { return key(a) < key(b); });

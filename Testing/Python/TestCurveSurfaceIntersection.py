@@ -85,6 +85,29 @@ def test_parts_are_blocks_pieces_or_values():
     assert pieces_of(crossing) == [[0, 1, 2, 1, 0], [-1, 0, 1, 0, -1]]
 
 
+def angle_at_the_start(loop, *others):
+    """Of a closed curve that begins on a plane and is read first."""
+    curves = [simple.PolyLineSource(Points=[x for point in curve for x in point])
+        for curve in (loop, *others)]
+    plane = simple.Plane(Origin=[0, 0, 0], Point1=[1, 0, 0], Point2=[0, 1, 0], XResolution=16,
+        YResolution=8)
+    crossing = simple.SkdTreeCurveSurfaceIntersection(
+        Input=simple.AppendGeometry(Input=curves), Source=plane)
+    of_loop = skdtesting.point_array(crossing, "SkdCurveCellId") == 0
+    starts = of_loop & (skdtesting.point_array(crossing, "SkdCurveParameter") == 0)
+    assert numpy.count_nonzero(starts) == 1, starts
+    return skdtesting.point_array(crossing, "SkdAngle")[starts][0]
+
+
+def test_a_closed_curve_has_the_angle_of_its_first_line_where_it_begins():
+    expected = numpy.degrees(numpy.arctan2(0.125, 1 / 64))
+    for x, y in ((0.25, 0.25), (0.3125, 0.625), (0.5, 0.5)): # corners of faces
+        loop = [(x, y, 0), (x + 1 / 64, y, 0.125), (x + 0.1875, y, 0.125), (x + 0.25, y, -0.125),
+            (x + 0.0625, y, -0.125), (x, y, 0)]
+        for others in ([], [loop[:3]], [loop[2:]], [loop[:3], loop[2:]], [loop, loop[:3]]):
+            numpy.testing.assert_allclose(angle_at_the_start(loop, *others), expected, rtol=1e-12)
+
+
 def test_the_third_output_counts():
     crossing = scene()
     crossing.UpdatePipeline()
