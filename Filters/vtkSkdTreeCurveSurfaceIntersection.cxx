@@ -211,7 +211,7 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
   vtkDataObject* const around = transport ? this->Inputs->BringAround(*transport) : input;
   if (!around)
   {
-    return 1;
+    return 0;
   }
   const std::vector<SkdBlock> curveBlocks = // on all processes the same
     transport ? SkdBlocksOf(around) : SkdBlocksWithCells(SkdBlocksOf(input));

@@ -6,6 +6,7 @@
 #include "../Vector.h"
 
 #if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX2__)
+#include <algorithm>
 #include <immintrin.h>
 #endif
 

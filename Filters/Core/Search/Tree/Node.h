@@ -158,15 +158,16 @@ struct KnownLeaves
   void NoteData(const DataOf& dataOf)
   {
     constexpr std::uint32_t most = std::numeric_limits<std::uint16_t>::max();
-    for (int lane = 0, last = -1; lane < 8; ++lane)
+    bool isFirst = true;
+    for (int lane = 0; lane < 8; ++lane)
     {
       if (this->IsKnown(lane))
       {
         const std::uint32_t data = dataOf(this->NumberOf(lane));
-        this->FirstData = last < 0 ? data : this->FirstData;
+        this->FirstData = isFirst ? data : this->FirstData;
         this->DataOffsets[lane] =
           static_cast<std::uint16_t>(std::min(data - this->FirstData, most));
-        last = lane;
+        isFirst = false;
       }
     }
   }
