@@ -3,6 +3,7 @@
 // vtkSkdTreeAMR: what it says beforehand of the cells, the memory and the time that it will take.
 
 #include "Support/AMRRun.h"
+#include "Support/TestAmount.h"
 #include "Support/VolumeMeshes.h"
 
 #include "vtkCallbackCommand.h"
@@ -24,6 +25,7 @@ double EstimateToCells(vtkSkdTreeAMR* filter)
 
 TEST(AMREstimate, OfCellsIsRightToFivePercent)
 {
+  SKD_LEAVE_OUT_OF_FEWER_TESTS();
   const DataSetPointer parts[] = { MakeTorus(), MakePolyData(TriangleSoup(300, 0.1)),
     MakePolyData(CubeTriangles(4)), MakePolyData(Helix(50, VTK_LINE)), MakeGrid(Tetrahedra(2)) };
   for (const DataSetPointer& part : parts)
@@ -40,6 +42,7 @@ TEST(AMREstimate, OfCellsIsRightToFivePercent)
 
 TEST(AMREstimate, CountsWhatAllCriteriaAskFor)
 {
+  SKD_LEAVE_OUT_OF_FEWER_TESTS();
   AMRPointer filter = MakeAMR(MakeTorus(), 6);
   filter->RefineByNormalDeviationOn();
   EXPECT_NEAR(EstimateToCells(filter), 1.0, 0.05);
@@ -58,6 +61,7 @@ TEST(AMREstimate, CountsWhatAllCriteriaAskFor)
 
 TEST(AMREstimate, IsWithinAFactorOfTwoWithBalanceAndLayers)
 {
+  SKD_LEAVE_OUT_OF_FEWER_TESTS();
   for (int balance = 1; balance <= 3; ++balance)
   {
     AMRPointer filter = MakeAMR(MakeTorus(), 5);
@@ -72,6 +76,7 @@ TEST(AMREstimate, IsWithinAFactorOfTwoWithBalanceAndLayers)
 
 TEST(AMREstimate, OfMemoryIsWithinAFactorOfTwo)
 {
+  SKD_LEAVE_OUT_OF_FEWER_TESTS();
   for (const int type : { vtkSkdTreeAMR::HYPER_TREE_GRID, vtkSkdTreeAMR::UNSTRUCTURED_GRID })
   {
     for (const bool isMuchAsked : { false, true })

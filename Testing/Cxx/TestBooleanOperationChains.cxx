@@ -9,6 +9,7 @@
 #include "Support/ClosedSurface.h"
 #include "Support/Reported.h"
 #include "Support/SolidRun.h"
+#include "Support/TestAmount.h"
 
 #include "vtkMultiBlockDataSet.h"
 
@@ -148,7 +149,7 @@ Point Turned(const Point& p)
 TEST(BooleanOperationChains, OfTurnedBoxesThatTouch)
 {
   constexpr int operations[] = { Filter::UNION, Filter::DIFFERENCE, Filter::SYMMETRIC_DIFFERENCE };
-  for (int number = 0; number < 12; ++number)
+  for (int number = 0; number < Amount(12); ++number)
   {
     SCOPED_TRACE(number);
     Random random(5000000u + static_cast<std::uint64_t>(number));

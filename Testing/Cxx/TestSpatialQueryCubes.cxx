@@ -5,6 +5,7 @@
 
 #include "Support/CubeReference.h"
 #include "Support/StructuredMeshes.h"
+#include "Support/TestAmount.h"
 
 #include "vtkTransform.h"
 
@@ -300,7 +301,7 @@ TEST_P(Cubes, RelationsToShapesAreThoseOfIntervals)
   Random random(17);
   for (int shape = SpatialQuery::BOX; shape <= SpatialQuery::SOURCE_POINTS; ++shape)
   {
-    for (int i = 0; i < GetParam().Queries; ++i)
+    for (int i = 0; i < Amount(GetParam().Queries); ++i)
     {
       const CubeQuery requested = RandomQuery(shape, random);
       for (int relation = SpatialQuery::EXACT_MATCH; relation <= SpatialQuery::ADJACENCY;
@@ -319,7 +320,7 @@ TEST_P(Cubes, NearestAreThoseOfIntervalsTiesToTheLowest)
   Random random(18);
   for (int shape = SpatialQuery::BOX; shape <= SpatialQuery::SOURCE_POINTS; ++shape)
   {
-    for (int i = 0; i < GetParam().Queries; ++i)
+    for (int i = 0; i < Amount(GetParam().Queries); ++i)
     {
       const CubeQuery requested = RandomQuery(shape, random);
       for (int number : { 1, 3, 20, N * N * N, 1000 })

@@ -98,6 +98,7 @@ def run_in_parallel(script, argument, processes=2, listens=False):
     }
     environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
         OMPI_MCA_rmaps_base_oversubscribe="1",                    # Open MPI 4
+        OMPI_MCA_mpi_yield_when_idle="1", # two processes that wait would keep both cores
         PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",   # Open MPI 5
         PRTE_MCA_mapby=":oversubscribe")                          # Open MPI 6
     heard = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True} if listens else {}
