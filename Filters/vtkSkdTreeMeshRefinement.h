@@ -37,7 +37,8 @@
  * fields (ids are dropped); cell data are copied. Arrays:
  * | name            | of     | type   | meaning                                              |
  * | --------------- | ------ | ------ | ---------------------------------------------------- |
- * | SkdParentCellId | cells  | idtype | the cell of Input that it is part of                 |
+ * | SkdParentCellId | cells  | idtype | the cell of Input that it is part of (in the piece   |
+ * |                 |        |        | of this process)                                     |
  * | SkdLevel        | cells  | uchar  | how often its size was halved                        |
  * | SkdHanging      | points | uchar  | 1: on an edge or face of a cell without a corner there |
  *

@@ -34,7 +34,8 @@
  * face at its parameters, for the centre of a curved cell that in the middle of its parameters.
  * Output port 1 (empty for COUNTS): vtkPolyData with a point for each hit or, by choice, a line
  * from the start to it, with the same data, those of the start, and SkdRayStartId, the id of the
- * start's point or cell. After an abort the remaining rays have no hits.
+ * start's point or cell (in the piece of this process). After an abort the remaining rays have no
+ * hits.
  *
  * Field data of output port 0, one value each: SkdReportRays, SkdReportRaysWithHits, SkdReportHits,
  * SkdReportSourceCells, SkdReportSourceCellsLeftOut (see vtkSkdTreeCellLocator), SkdReportTolerance

@@ -8,6 +8,7 @@
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSearchRange.h"
 #include "Search/Relations/SkdRelationOutputs.h"
@@ -23,6 +24,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <stdexcept>
 
 using namespace skdtree;
@@ -39,6 +42,23 @@ public:
   SkdQueryList Queries;
   SkdRelatedCells Pairs;
   int Built = 0;
+
+  // Of inputs in pieces.
+  SkdParts::Wholes WholeMesh;
+  SkdParts::Wholes WholeSource;
+  std::map<int, std::vector<vtkIdType>> JoinedIds; // of the input's cells, by block index
+
+  /// By block in use; empty where they are those of the mesh.
+  std::vector<std::vector<vtkIdType>> GetJoinedIds() const
+  {
+    std::vector<std::vector<vtkIdType>> ids;
+    for (const SkdBlock& block : this->Blocks)
+    {
+      const auto found = this->JoinedIds.find(block.BlockIndex);
+      ids.push_back(found == this->JoinedIds.end() ? std::vector<vtkIdType>() : found->second);
+    }
+    return ids;
+  }
 
   /// Of a shape of its own.
   static SkdQueryShape MakeShape(vtkSkdTreeSpatialQuery* self);
@@ -87,10 +107,12 @@ int PieceOf(vtkInformation* output)
 class Extraction
 {
 public:
-  Extraction(
-    const std::vector<SkdBlock>& blocks, const std::vector<std::vector<SkdChosenCell>>& chosen)
+  Extraction(const std::vector<SkdBlock>& blocks,
+    const std::vector<std::vector<SkdChosenCell>>& chosen,
+    const std::vector<std::vector<vtkIdType>>& joinedIds)
     : Blocks(blocks)
     , Chosen(chosen)
+    , JoinedIds(joinedIds)
   {
   }
 
@@ -98,9 +120,13 @@ public:
   {
     const auto found = std::find_if(this->Blocks.begin(), this->Blocks.end(),
       [mesh](const SkdBlock& block) { return block.Mesh == mesh; });
-    const bool isPart = found != this->Blocks.end();
+    if (found == this->Blocks.end())
+    {
+      SkdExtractCells(mesh, {}, {}, output);
+      return;
+    }
     const auto part = static_cast<std::size_t>(found - this->Blocks.begin());
-    SkdExtractCells(mesh, isPart ? this->Chosen[part] : std::vector<SkdChosenCell>(), output);
+    SkdExtractCells(mesh, this->Chosen[part], this->JoinedIds[part], output);
   }
 
   vtkSmartPointer<vtkUnstructuredGrid> Extract(vtkDataSet* mesh)
@@ -113,6 +139,7 @@ public:
 private:
   const std::vector<SkdBlock>& Blocks;
   const std::vector<std::vector<SkdChosenCell>>& Chosen;
+  const std::vector<std::vector<vtkIdType>>& JoinedIds;
 };
 
 /// The input's structure or, if that cannot hold unstructured grids, the sequence of its blocks.
@@ -191,6 +218,33 @@ bool vtkSkdTreeSpatialQuery::NeedsNearbySource(SkdSearchRange& range)
 }
 
 //------------------------------------------------------------------------------
+// All processes exchange before anything can fail on one of them.
+void vtkSkdTreeSpatialQuery::FindJoined(vtkInformation* output)
+{
+  Internals& internals = *this->Impl;
+  internals.WholeMesh.clear();
+  internals.WholeSource.clear();
+  internals.JoinedIds.clear();
+  const std::unique_ptr<SkdTransport> transport = SkdMakeTransport(SkdControllerOf(output));
+  if (!transport)
+  {
+    return;
+  }
+  internals.WholeMesh = this->Inputs->FindExtents(0, *transport, SkdMeasurable);
+  internals.WholeSource = this->Inputs->FindExtents(1, *transport, SkdMeasurable);
+  if (!this->Inputs->GetWhole(0))
+  {
+    const std::vector<SkdBlock> blocks = SkdBlocksOf(this->Inputs->GetPiece(0));
+    std::vector<std::vector<vtkIdType>> ids = this->Inputs->FindIds(output, transport.get());
+    for (std::size_t i = 0; i < ids.size(); ++i)
+    {
+      internals.JoinedIds[blocks[i].BlockIndex] = std::move(ids[i]);
+    }
+  }
+  this->Inputs->AddTraffic(transport->GetTraffic());
+}
+
+//------------------------------------------------------------------------------
 void vtkSkdTreeSpatialQuery::UpdateTrees(vtkDataObject* input, vtkDataObject* source)
 {
   Internals& internals = *this->Impl;
@@ -198,11 +252,12 @@ void vtkSkdTreeSpatialQuery::UpdateTrees(vtkDataObject* input, vtkDataObject* so
   const bool isOfOne =
     this->Shape != SOURCE_POINTS && this->Shape != SOURCE_CELLS && this->Relation != NEAREST;
   internals.Built = internals.Mesh.Update(internals.Blocks, this->Epsilon, SkdMeasurable,
-    isOfOne ? SkdTreeWanted::IfUsedBefore : SkdTreeWanted::AtOnce);
+    isOfOne ? SkdTreeWanted::IfUsedBefore : SkdTreeWanted::AtOnce, internals.WholeMesh);
   const bool needsCells = source && this->Shape == SOURCE_CELLS;
   const std::vector<SkdBlock> sourceBlocks =
     needsCells ? SkdBlocksWithCells(SkdBlocksOf(source)) : std::vector<SkdBlock>();
-  internals.Built += internals.SourceCells.Update(sourceBlocks, this->Epsilon, SkdMeasurable);
+  internals.Built += internals.SourceCells.Update(
+    sourceBlocks, this->Epsilon, SkdMeasurable, SkdTreeWanted::AtOnce, internals.WholeSource);
 }
 
 //------------------------------------------------------------------------------
@@ -288,6 +343,9 @@ vtkDataObject* vtkSkdTreeSpatialQuery::KeepOwn(const SkdWholeInput& whole)
     const SkdPieceCell& origin = whole.GetOrigins(block)[static_cast<std::size_t>(pair.CellId)];
     if (origin.Piece == process)
     {
+      std::vector<vtkIdType>& ids = internals.JoinedIds[block];
+      ids.resize(std::max(ids.size(), static_cast<std::size_t>(origin.CellId) + 1), -1);
+      ids[static_cast<std::size_t>(origin.CellId)] = pair.CellId;
       pair.CellId = origin.CellId;
       own.push_back(pair);
     }
@@ -311,6 +369,7 @@ int vtkSkdTreeSpatialQuery::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
   SkdStopwatch watch;
+  this->FindJoined(outputVector->GetInformationObject(0));
   try
   {
     this->UpdateTrees(input, source);
@@ -360,7 +419,8 @@ void vtkSkdTreeSpatialQuery::FillOutputs(
 {
   Internals& internals = *this->Impl;
   const SkdRelationRows answers{ internals.Pairs, internals.Queries,
-    internals.Mesh.GetBlockIndices(), this->Exact, SkdIsComposite(input), SkdIsComposite(source) };
+    internals.Mesh.GetBlockIndices(), this->Exact, SkdIsComposite(input), SkdIsComposite(source),
+    internals.GetJoinedIds() };
   const auto chosen = SkdChooseCells(internals.Pairs, internals.Blocks.size());
   vtkIdType found = 0;
   for (const std::vector<SkdChosenCell>& cells : chosen)
@@ -368,7 +428,7 @@ void vtkSkdTreeSpatialQuery::FillOutputs(
     found += static_cast<vtkIdType>(cells.size());
   }
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
-  Extraction extraction(internals.Blocks, chosen);
+  Extraction extraction(internals.Blocks, chosen, answers.JoinedIds);
   ExtractTo(output, input, extraction);
   SkdFillSelection(chosen, answers, PieceOf(outputVector->GetInformationObject(1)),
     vtkSelection::GetData(outputVector, 1));

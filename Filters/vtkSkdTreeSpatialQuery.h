@@ -42,13 +42,13 @@
  * vtkMultiBlockDataSet of its blocks). Cell arrays
  * | name          | type   | meaning                                                          |
  * | ------------- | ------ | ---------------------------------------------------------------- |
- * | SkdCellId     | idtype | the cell in the Input                                            |
+ * | SkdCellId     | idtype | the cell in the Input; of one in pieces in the joined pieces     |
  * | SkdQueryCount | idtype | the number of queries that it answers: of points or cells, maybe |
  * |               |        | more than one                                                    |
  * | SkdDistance   | double | the least distance to these                                      |
  *
- * Output port 1: the same cells as a vtkSelection of cell indices, a node for each block that has
- * any.
+ * Output port 1: the same cells as a vtkSelection of cell indices, in the piece of the process that
+ * the node names, a node for each block that has any.
  *
  * Output port 2: a vtkTable with a row for each pair of a query and a cell, by ascending (query,
  * block, cell id); for NEAREST by distance. Columns
@@ -56,7 +56,7 @@
  * | ---------------------- | ------ | ------------------------------------------------------- |
  * | SkdQueryId             | idtype | the point or cell of the Source; 0 for other shapes     |
  * | SkdQueryBlockIndex     | int    | its block, of a composite Source                        |
- * | SkdCellId              | idtype | the cell                                                |
+ * | SkdCellId              | idtype | the cell, as in output port 0                           |
  * | SkdBlockIndex          | int    | its block, of a composite Input                         |
  * | SkdOptimisticDistance  | double | section 4: of the nearest points of the query and of the|
  * |                        |        | cell's safety box; if the query is a cell, of its box   |
@@ -69,8 +69,8 @@
  * Field data of output port 0, one value each: SkdReportQueries, SkdReportPairs,
  * SkdReportCellsFound, SkdReportCells (that were searched), SkdReportCellsLeftOut (see
  * vtkSkdTreeCellLocator), SkdReportTreesBuilt (0 if all were reused, or none was needed),
- * SkdReportEpsilon (the largest in use, in world units), SkdReportBuildSeconds and
- * SkdReportQuerySeconds.
+ * SkdReportEpsilon (the largest in use, in world units, by the size of all pieces),
+ * SkdReportBuildSeconds and SkdReportQuerySeconds.
  *
  * Bad input: a Shape that needs a Source if there is none, and 0 nearest cells, are errors, and
  * nothing is found. A shape that is not finite or extends beyond 1e50, a negative radius and a
@@ -282,6 +282,7 @@ private:
   vtkSkdTreeSpatialQuery(const vtkSkdTreeSpatialQuery&) = delete;
   void operator=(const vtkSkdTreeSpatialQuery&) = delete;
 
+  void FindJoined(vtkInformation* output);
   void UpdateTrees(vtkDataObject* input, vtkDataObject* source);
   void WarnAboutCells();
   bool MakeQueries(vtkDataObject* source);

@@ -10,19 +10,22 @@
 
 namespace skdtree
 {
-bool SkdParts::Part::Update(
-  const SkdBlock& block, double epsilon, const SkdMagnitudes& magnitudes, SkdTreeWanted wanted)
+bool SkdParts::Part::Update(const SkdBlock& block, double epsilon, const SkdMeshExtent& whole,
+  const SkdMagnitudes& magnitudes, SkdTreeWanted wanted)
 {
   this->BlockIndex = block.BlockIndex;
-  const bool isSame = this->Tree && this->Epsilon == epsilon && this->Mesh.IsSameAs(block.Mesh);
+  const bool isSame = this->Tree && this->Epsilon == epsilon && this->Whole == whole &&
+    this->Mesh.IsSameAs(block.Mesh);
   if (isSame && !this->Tree->IsBare())
   {
     return false;
   }
   this->Mesh.Keep(block.Mesh);
   this->Epsilon = epsilon;
+  this->Whole = whole;
   SkdTreeSettings settings;
   settings.Epsilon = epsilon;
+  settings.Whole = whole;
   settings.Magnitudes = magnitudes;
   settings.IsBare = !isSame && wanted == SkdTreeWanted::IfUsedBefore;
   this->Tree = std::make_shared<SkdCellTree>(this->Mesh.Get(), settings);
@@ -34,14 +37,16 @@ bool SkdParts::Part::Update(
 }
 
 int SkdParts::Update(const std::vector<SkdBlock>& blocks, double epsilon,
-  const SkdMagnitudes& magnitudes, SkdTreeWanted wanted)
+  const SkdMagnitudes& magnitudes, SkdTreeWanted wanted, const Wholes& wholes)
 {
   const std::vector<SkdBlock> filled = SkdBlocksWithCells(blocks);
   this->Parts.resize(filled.size());
   int built = 0;
   for (std::size_t i = 0; i < filled.size(); ++i)
   {
-    built += this->Parts[i].Update(filled[i], epsilon, magnitudes, wanted);
+    const auto whole = wholes.find(filled[i].BlockIndex);
+    built += this->Parts[i].Update(filled[i], epsilon,
+      whole == wholes.end() ? SkdMeshExtent() : whole->second, magnitudes, wanted);
   }
   return built;
 }

@@ -15,6 +15,7 @@
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdSourceTrees.h"
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -31,10 +32,14 @@ enum class SkdTreeWanted
 class SkdParts
 {
 public:
+  /// Of what blocks are parts of, by block index: Epsilon is relative to its diagonal.
+  using Wholes = std::map<int, SkdMeshExtent>;
+
   /// Updates the trees to the blocks that have cells. Returns the number of trees built. Throws
-  /// std::length_error if a part has more cells or points than a tree can hold.
+  /// std::length_error if a part has more cells or points than a tree can hold. A block that is not
+  /// in `wholes` is the whole.
   int Update(const std::vector<SkdBlock>& blocks, double epsilon, const SkdMagnitudes& magnitudes,
-    SkdTreeWanted wanted = SkdTreeWanted::AtOnce);
+    SkdTreeWanted wanted = SkdTreeWanted::AtOnce, const Wholes& wholes = {});
 
   std::uint32_t GetNumberOfParts() const { return static_cast<std::uint32_t>(this->Parts.size()); }
   std::vector<int> GetBlockIndices() const; // one a part
@@ -61,12 +66,13 @@ private:
   {
     int BlockIndex = 0;
     double Epsilon = 0.0;
+    SkdMeshExtent Whole;
     SkdMeshSnapshot Mesh;
     std::shared_ptr<const SkdCellTree> Tree;
 
     /// Whether a tree was built.
-    bool Update(
-      const SkdBlock& block, double epsilon, const SkdMagnitudes& magnitudes, SkdTreeWanted wanted);
+    bool Update(const SkdBlock& block, double epsilon, const SkdMeshExtent& whole,
+      const SkdMagnitudes& magnitudes, SkdTreeWanted wanted);
   };
   std::vector<Part> Parts;
 };

@@ -503,6 +503,14 @@ std::vector<std::vector<vtkIdType>> SkdFilterInputs::FindIds(
     : std::vector<std::vector<vtkIdType>>();
 }
 
+std::map<int, SkdMeshExtent> SkdFilterInputs::FindExtents(
+  int port, SkdTransport& transport, const SkdMagnitudes& magnitudes)
+{
+  return this->GetPiece(port) && !this->GetWhole(port)
+    ? this->Extents[port].Update(transport, this->GetPiece(port), magnitudes)
+    : std::map<int, SkdMeshExtent>();
+}
+
 vtkDataObject* SkdFilterInputs::BringAround(SkdTransport& transport)
 {
   vtkDataObject* around = this->Around.Update(transport, this->GetPiece(0));

@@ -11,6 +11,7 @@
 
 #include "Exchange/SkdCountedCells.h"
 #include "Exchange/SkdInputAround.h"
+#include "Exchange/SkdJoinedExtents.h"
 #include "Exchange/SkdNearbyInput.h"
 #include "Exchange/SkdSpreadSource.h"
 #include "Exchange/SkdWholeInput.h"
@@ -122,6 +123,11 @@ public:
   /// of data that cannot be brought, or without a transport. All must call it together.
   std::vector<std::vector<vtkIdType>> FindIds(vtkInformation* output, SkdTransport* transport);
 
+  /// Of an input that is in pieces, or of which there is what is near: of all pieces, by block
+  /// index. Nothing of one that was gathered. All must call it together.
+  std::map<int, SkdMeshExtent> FindExtents(
+    int port, SkdTransport& transport, const SkdMagnitudes& magnitudes);
+
   /// An input of port 0 that stays in its pieces, with the cells of other processes that its own
   /// may touch: see SkdInputAround. nullptr, with an error, if global ids cannot join them. All
   /// must call it together.
@@ -183,8 +189,9 @@ private:
   std::map<std::pair<int, int>, SkdWholeInput> Whole;   // by port and connection
   std::map<std::pair<int, int>, SkdNearbyInput> Nearby; // the same
   std::map<std::pair<int, int>, SpreadInput> Spread;
-  SkdCountedInput Counted; // port 0
-  SkdInputAround Around;   // likewise
+  std::map<int, SkdJoinedExtents> Extents; // by port
+  SkdCountedInput Counted;                 // port 0
+  SkdInputAround Around;                   // likewise
   SkdCountedCells CountedPoints{ vtkDataObject::POINT };
 };
 }

@@ -5,6 +5,7 @@
 
 #include "Cells/Kernels/SkdPolyCell.h"
 #include "Cells/Read/SkdMagnitudes.h"
+#include "Cells/Search/SkdMeshExtent.h"
 #include "Core/Geometry/Box.h"
 #include "Core/Geometry/PointArray.h"
 #include "Core/Geometry/PointBounds.h"
@@ -146,6 +147,7 @@ public:
 
   /// The box that contains all cells.
   const skd::Box3& GetBounds() const { return this->Bounds; }
+  SkdMeshExtent GetExtent() const { return { this->Bounds, this->Largest }; }
 
   /// The largest magnitude of a coordinate of a point in use.
   double LargestCoordinate() const { return this->Largest; }

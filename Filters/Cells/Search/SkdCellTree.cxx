@@ -15,6 +15,14 @@ namespace skdtree
 namespace
 {
 constexpr double Ulps = 8.0 * std::numeric_limits<double>::epsilon();
+
+/// Of the mesh that some cells are a part of, with them.
+SkdMeshExtent ExtentOfWhole(const SkdCellStore& store, const SkdTreeSettings& settings)
+{
+  SkdMeshExtent extent = store.GetExtent();
+  extent.Add(settings.Whole);
+  return extent;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -41,7 +49,7 @@ void SkdCellTree::FindEqualCells(const SkdTreeSettings& settings)
 SkdCellTree::SkdCellTree(SkdCellStore&& store, const SkdTreeSettings& settings)
   : Store(std::move(store))
   , Bare(settings.IsBare)
-  , TheRounding(Ulps * this->Store.LargestCoordinate())
+  , TheRounding(Ulps * ExtentOfWhole(this->Store, settings).LargestCoordinate)
   , TheEpsilon(settings.Epsilon)
 {
   if (this->Store.NumberOfCells() == 0)
@@ -73,7 +81,8 @@ SkdCellTree::SkdCellTree(SkdCellStore&& store, const SkdTreeSettings& settings)
 skd::ReadInput<3> SkdCellTree::MakeInput(const SkdTreeSettings& settings)
 {
   const skd::Box3& bounds = this->Store.GetBounds();
-  this->TheEpsilon = std::max(this->TheEpsilon * bounds.Diagonal(), this->TheRounding);
+  this->TheEpsilon = std::max(
+    this->TheEpsilon * ExtentOfWhole(this->Store, settings).Bounds.Diagonal(), this->TheRounding);
 
   skd::ReadInput<3> input;
   input.Capacity = settings.Capacity;

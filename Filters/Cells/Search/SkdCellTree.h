@@ -40,6 +40,7 @@ namespace skdtree
 struct SkdTreeSettings
 {
   double Epsilon = 1e-9; ///< relative to the diagonal
+  SkdMeshExtent Whole;   ///< of the mesh that this is a part of; empty: it is all
   int Capacity = 8;      ///< cells a leaf
   bool IsLazy = false;
   bool IsBare = false; ///< there is no tree: only queries of single cells work

@@ -33,12 +33,13 @@ void AddColumn(vtkTable* table, const char* name, vtkIdType n, const Value& valu
   table->AddColumn(array);
 }
 
-vtkSmartPointer<vtkIdTypeArray> IdsOf(const std::vector<SkdChosenCell>& chosen)
+vtkSmartPointer<vtkIdTypeArray> IdsOf(
+  const std::vector<SkdChosenCell>& chosen, const std::vector<vtkIdType>& joined = {})
 {
   auto ids = SkdMakeArray<vtkIdTypeArray>("SkdCellId", 1, static_cast<vtkIdType>(chosen.size()));
   for (std::size_t i = 0; i < chosen.size(); ++i)
   {
-    ids->SetValue(static_cast<vtkIdType>(i), chosen[i].CellId);
+    ids->SetValue(static_cast<vtkIdType>(i), SkdJoinedIdOf(joined, chosen[i].CellId));
   }
   return ids;
 }
@@ -87,8 +88,8 @@ std::vector<std::vector<SkdChosenCell>> SkdChooseCells(
 }
 
 //------------------------------------------------------------------------------
-void SkdExtractCells(
-  vtkDataSet* mesh, const std::vector<SkdChosenCell>& chosen, vtkUnstructuredGrid* output)
+void SkdExtractCells(vtkDataSet* mesh, const std::vector<SkdChosenCell>& chosen,
+  const std::vector<vtkIdType>& joined, vtkUnstructuredGrid* output)
 {
   std::vector<vtkIdType> ids;
   ids.reserve(chosen.size());
@@ -111,7 +112,7 @@ void SkdExtractCells(
     distances->SetValue(i, cell.Distance);
   }
   vtkCellData* data = output->GetCellData();
-  data->AddArray(IdsOf(chosen));
+  data->AddArray(IdsOf(chosen, joined));
   data->AddArray(counts);
   data->AddArray(distances);
 }
@@ -157,7 +158,8 @@ void SkdFillPairs(const SkdRelationRows& answers, vtkTable* table)
     AddColumn<vtkIntArray>(table, "SkdQueryBlockIndex", n,
       [&](vtkIdType i) { return answers.Queries.GetBlockIndex(pair(i).Query); });
   }
-  AddColumn<vtkIdTypeArray>(table, "SkdCellId", n, [&](vtkIdType i) { return pair(i).CellId; });
+  AddColumn<vtkIdTypeArray>(table, "SkdCellId", n,
+    [&](vtkIdType i) { return SkdJoinedIdOf(answers.JoinedIds[pair(i).Part], pair(i).CellId); });
   if (answers.IsMeshComposite)
   {
     AddColumn<vtkIntArray>(

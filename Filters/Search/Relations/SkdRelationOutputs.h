@@ -26,7 +26,15 @@ struct SkdRelationRows
   bool IsExact;
   bool IsMeshComposite;
   bool IsSourceComposite;
+  std::vector<std::vector<vtkIdType>> JoinedIds; ///< by part: see SkdJoinedIdOf
 };
+
+/// The id of a cell of a part in the joined pieces of all processes, if there are several: of
+/// `ids`, by cell; the same where it is empty.
+inline vtkIdType SkdJoinedIdOf(const std::vector<vtkIdType>& ids, vtkIdType cell)
+{
+  return ids.empty() ? cell : ids[static_cast<std::size_t>(cell)];
+}
 
 /// A cell that was found, once.
 struct SkdChosenCell
@@ -40,11 +48,12 @@ struct SkdChosenCell
 std::vector<std::vector<SkdChosenCell>> SkdChooseCells(
   const SkdRelatedCells& pairs, std::size_t parts);
 
-/// The chosen cells of a mesh with all its data.
-void SkdExtractCells(
-  vtkDataSet* mesh, const std::vector<SkdChosenCell>& chosen, vtkUnstructuredGrid* output);
+/// The chosen cells of a mesh with all its data. Their ids are joined ones.
+void SkdExtractCells(vtkDataSet* mesh, const std::vector<SkdChosenCell>& chosen,
+  const std::vector<vtkIdType>& joined, vtkUnstructuredGrid* output);
 
-/// A node a part that has chosen cells; `process` is -1 where there is only one.
+/// A node a part that has chosen cells, by their ids in the piece of the process that gives them;
+/// `process` is -1 where there is only one.
 void SkdFillSelection(const std::vector<std::vector<SkdChosenCell>>& chosen,
   const SkdRelationRows& answers, int process, vtkSelection* selection);
 
