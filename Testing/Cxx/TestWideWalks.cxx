@@ -145,6 +145,25 @@ TEST_P(WideWalks, FindThePairsOfTheOthersInTheirOrder)
   EXPECT_GT(found, 0u);
 }
 
+TEST_P(WideWalks, BuildTheTreeOfTheOthers)
+{
+  const auto data = GetParam().Make();
+  Bounds box;
+  data->GetBounds(box.data());
+  SkdWideWalks::TurnOn(true);
+  const auto wide = MakeLocator(data);
+  wide->BuildLocator();
+  SkdWideWalks::TurnOn(false);
+  const auto plain = MakeLocator(data);
+  const auto cellsOf = [&box](vtkSkdTreeCellLocator* locator) // in the order of the tree
+  {
+    return FindAlongPlane(locator, Center(box), { 1.0, 0.0, 0.0 }, 2.0 * Diagonal(box));
+  };
+  const Ids cells = cellsOf(plain);
+  EXPECT_FALSE(cells.empty());
+  EXPECT_EQ(cellsOf(wide), cells);
+}
+
 TEST(WideWalksSwitch, TurnsThemOffAndOn)
 {
   const bool areOn = SkdWideWalks::AreOn();

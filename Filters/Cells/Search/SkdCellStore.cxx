@@ -9,6 +9,7 @@
 #include "Cells/Read/SkdFillCell.h"
 #include "Cells/Read/SkdForEach.h"
 #include "Cells/Read/SkdShape.h"
+#include "Core/Geometry/PointBounds.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSet.h"

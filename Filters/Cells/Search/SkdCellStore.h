@@ -7,8 +7,7 @@
 #include "Cells/Read/SkdMagnitudes.h"
 #include "Cells/Search/SkdMeshExtent.h"
 #include "Core/Geometry/Box.h"
-#include "Core/Geometry/PointArray.h"
-#include "Core/Geometry/PointBounds.h"
+#include "Core/Geometry/CellPoints.h"
 #include "Core/Search/Tree/RawVector.h"
 
 #include "vtkDataArray.h"
@@ -129,19 +128,11 @@ public:
   {
     return this->CurvedExtents.empty() ? this->BoundsOf(cell) : this->CurvedExtentOf(cell);
   }
-  /// The same for vectors.
-  skd::PointBounds PointBoundsOf(std::uint32_t cell) const
+  /// The points of all cells, for those in the box of these.
+  skd::CellPoints PointsOfCells() const
   {
-    skd::PointBounds bounds;
-    if (this->CurvedExtents.empty())
-    {
-      bounds.Add(this->Points, this->PointIdsOf(cell), this->SizeOf(cell));
-    }
-    else
-    {
-      bounds.Add(this->CurvedExtentOf(cell));
-    }
-    return bounds;
+    return { this->Points, this->PointIds.data(),
+      this->Offsets.empty() ? nullptr : this->Offsets.data(), this->CommonSize };
   }
   bool HasCurvedExtents() const { return !this->CurvedExtents.empty(); }
 

@@ -4,8 +4,8 @@
 
 #include "Cells/Read/SkdForEach.h"
 #include "Cells/Search/SkdBuildTree.h"
+#include "Core/Search/Tree/CellElements.h"
 #include "Core/Search/Tree/LazyTree.h"
-#include "Core/Search/Tree/OutwardRounding.h"
 #include "Core/Search/Tree/PaperTree.h"
 
 #include <algorithm>
@@ -90,17 +90,32 @@ skd::ReadInput<3> SkdCellTree::MakeInput(const SkdTreeSettings& settings)
   input.Bounds = bounds.Inflated(2.0 * this->TheEpsilon);
   input.Frame = skd::Frame<3>::Of(input.Bounds);
   input.Count = this->Store.NumberOfCells();
-  input.Read = [this, frame = input.Frame](
-                 const std::uint32_t* cells, std::size_t count, skd::Element<3>* to)
-  {
-    const skd::OutwardRounding rounding(frame, 2.0 * this->TheEpsilon);
-    for (const std::uint32_t* cell = cells; cell != cells + count; ++cell, ++to)
-    {
-      rounding.Round(this->Store.PointBoundsOf(*cell), to->Box);
-      to->Index = *cell;
-    }
-  };
+  input.Read = [this, frame = input.Frame](const std::uint32_t* cells, std::size_t count,
+                 skd::Element<3>* to) { this->ReadElements(frame, cells, count, to); };
   return input;
+}
+
+//------------------------------------------------------------------------------
+void SkdCellTree::ReadElements(const skd::Frame<3>& frame, const std::uint32_t* cells,
+  std::size_t count, skd::Element<3>* to) const
+{
+  const double margin = 2.0 * this->TheEpsilon;
+  const skd::CellPoints points = this->Store.PointsOfCells();
+  if (this->Store.HasCurvedExtents())
+  {
+    std::transform(cells, cells + count, to,
+      [&](std::uint32_t cell) -> skd::Element<3> {
+        return { frame.OutwardWithin(this->Store.ExtentOf(cell), margin), cell };
+      });
+  }
+  else if (SkdWideWalks::AreOn())
+  {
+    SkdWideWalks::ReadElements(&points, &frame, margin, cells, count, to);
+  }
+  else
+  {
+    skd::CellElements(points, frame, margin).Read(cells, count, to);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -290,6 +290,8 @@ private:
   SkdCellTree(SkdCellStore&& store, const SkdTreeSettings& settings);
 
   skd::ReadInput<3> MakeInput(const SkdTreeSettings& settings);
+  void ReadElements(const skd::Frame<3>& frame, const std::uint32_t* cells, std::size_t count,
+    skd::Element<3>* to) const;
   void FindEqualCells(const SkdTreeSettings& settings);
   double MaxSpreadOfLines() const;
   /// The tree for queries that need one of equal cells only.

@@ -28,6 +28,7 @@
 #include "Core/Search/Queries/PacketHits.h"
 #include "Core/Search/Queries/TriangleHits.h"
 #include "Core/Search/Queries/WithinBox.h"
+#include "Core/Search/Tree/CellElements.h"
 #include "Core/Search/Tree/TreeView.h"
 #include "Core/Search/Tree/Walk.h"
 #include "Core/Search/Tree/WalkPairs.h"
@@ -191,6 +192,15 @@ void SkdWideWalks::ClosestPointInCell(int size, const void* from, const std::uin
     default:
       return closest(skd::Hexahedron());
   }
+}
+
+//------------------------------------------------------------------------------
+SKD_FLATTEN void SkdWideWalks::ReadElements(const void* cells, const void* frame, double margin,
+  const std::uint32_t* numbers, std::size_t count, void* to)
+{
+  const skd::CellElements elements(
+    *static_cast<const skd::CellPoints*>(cells), *static_cast<const skd::Frame<3>*>(frame), margin);
+  elements.Read(numbers, count, static_cast<skd::Element<3>*>(to));
 }
 
 //------------------------------------------------------------------------------

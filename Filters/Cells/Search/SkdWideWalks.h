@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Queries, and the exact test of volume cells, compiled for processors with AVX2 and FMA, with
-/// eight lanes a register, selected at run time. Answers are identical to the last bit: lanes
-/// perform the same operations with the same rounding, however many there are in a register.
+/// Queries, the exact test of volume cells and the boxes of cells that trees are built of, compiled
+/// for processors with AVX2 and FMA, with eight lanes a register, selected at run time. Answers are
+/// identical to the last bit: lanes perform the same operations with the same rounding, however
+/// many there are in a register.
 ///
 /// SkdWideWalks.cxx is the only file compiled for AVX2. It has the core in its own namespace, so
 /// that no inline function compiled for AVX2 replaces one that must run anywhere. Its interface
@@ -12,6 +13,7 @@
 #ifndef SkdWideWalks_h
 #define SkdWideWalks_h
 
+#include <cstddef>
 #include <cstdint>
 
 namespace skdtree
@@ -115,6 +117,9 @@ public:
   /// skd::PointArray; sets the cell's points, so many skd::Vector3, and `found`, skd::VolumePoint
   static void ClosestPointInCell(int size, const void* from, const std::uint32_t* ids,
     const double x[3], double limit2, void* points, void* found);
+  /// skd::CellElements; `cells`: skd::CellPoints, `frame`: skd::Frame<3>, `to`: skd::Element<3>
+  static void ReadElements(const void* cells, const void* frame, double margin,
+    const std::uint32_t* numbers, std::size_t count, void* to);
   /// skd::OverlappingBox; `box`: skd::Box3
   static void OverlappingBox(const SkdWideTree& tree, const void* box, double excess,
     const SkdWideVisitor& visitor, const SkdWideVisitor& sure);

@@ -8,6 +8,7 @@
 #include "RawVector.h"
 
 #include <mutex>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -76,14 +77,7 @@ public:
   }
 
   /// The elements of the range that begins at `first`, which is then discarded.
-  void Take(std::uint32_t first, Element<D>* to)
-  {
-    for (const Piece& piece : this->TakePieces(first))
-    {
-      this->Read(this->Indices.data() + piece.First, piece.Size(), to);
-      to += piece.Size();
-    }
-  }
+  void Take(std::uint32_t first, Element<D>* to) { this->ReadPieces(this->TakePieces(first), to); }
 
   FloatBox<D> Box() const { return UnionOf(this->Ranges.at(0)); }
 
@@ -128,8 +122,8 @@ private:
     std::uint32_t First;
     std::uint32_t Last;
     std::vector<std::uint32_t> Counts = std::vector<std::uint32_t>(QuantileGrid<D>::NumberOfBins);
-    std::vector<FloatBox<D>> Boxes =
-      std::vector<FloatBox<D>>(QuantileGrid<D>::NumberOfBins, NoBox<D>());
+    RawVector<FloatBox<D>> Boxes = // of the bins with elements
+      RawVector<FloatBox<D>>(QuantileGrid<D>::NumberOfBins);
   };
 
   template <class Loop>
@@ -164,8 +158,11 @@ private:
       {
         const Bin bin = this->Grid.BinOf(element);
         bins[element.Index] = bin;
-        ++strand.Counts[bin];
-        Enclose(strand.Boxes[bin], element.Box);
+        if (strand.Counts[bin]++ == 0)
+        {
+          strand.Boxes[bin] = element.Box;
+        }
+        EncloseInMemory(strand.Boxes[bin], element);
       });
   }
 
@@ -179,8 +176,12 @@ private:
       Piece piece{ next, next, static_cast<Bin>(bin), NoBox<D>() };
       for (Strand& strand : strands)
       {
-        next += std::exchange(strand.Counts[bin], next);
-        Enclose(piece.Box, strand.Boxes[bin]);
+        const std::uint32_t count = std::exchange(strand.Counts[bin], next);
+        if (count > 0)
+        {
+          Enclose(piece.Box, strand.Boxes[bin]);
+          next += count;
+        }
       }
       piece.Last = next;
       if (piece.Size() > 0)
@@ -204,6 +205,21 @@ private:
   {
     const std::lock_guard<std::mutex> lock(this->Lock);
     this->Ranges[first] = std::move(pieces);
+  }
+
+  void ReadPieces(const Pieces& pieces, Element<D>* to) const
+  {
+    for (const Piece& piece : pieces)
+    {
+      this->Read(this->Indices.data() + piece.First, piece.Size(), to);
+      to += piece.Size();
+    }
+  }
+
+  static std::size_t SizeOf(const Pieces& pieces)
+  {
+    return std::accumulate(pieces.begin(), pieces.end(), std::size_t(0),
+      [](std::size_t sum, const Piece& piece) { return sum + piece.Size(); });
   }
 
   static FloatBox<D> UnionOf(const Pieces& pieces)
@@ -235,13 +251,8 @@ private:
   /// The `rank` least elements of some pieces to the left, the others to the right.
   void CutPieces(const Pieces& pieces, std::uint32_t rank, int axis, Sides& sides)
   {
-    std::vector<Element<D>> elements;
-    for (const Piece& piece : pieces)
-    {
-      elements.resize(elements.size() + piece.Size());
-      this->Read(this->Indices.data() + piece.First, piece.Size(),
-        elements.data() + elements.size() - piece.Size());
-    }
+    RawVector<Element<D>> elements(SizeOf(pieces));
+    this->ReadPieces(pieces, elements.data());
     std::vector<Key> keys(elements.size());
     std::transform(elements.begin(), elements.end(), keys.begin(),
       [axis](const Element<D>& element) { return SplitAtRank<D>::KeyOf(element, axis); });

@@ -3,6 +3,7 @@
 #ifndef skd_Tree_QuantileGrid_h
 #define skd_Tree_QuantileGrid_h
 
+#include "../../Geometry/TwoDoubles.h"
 #include "SplitAtRank.h"
 
 #include <vector>
@@ -45,8 +46,14 @@ public:
 
   Bin BinOf(const Element<D>& element) const
   {
+    const std::array<std::uint16_t, D> steps = StepsOf(element);
     unsigned bin = 0;
-    ForEachAxis<D>([&](int axis) { bin = bin << Bits | this->Slabs[axis][StepOf(element, axis)]; });
+    ForEachAxis<D>(
+      [&](int axis)
+      {
+        const auto a = static_cast<std::size_t>(axis);
+        bin = bin << Bits | this->Slabs[a][steps[a]];
+      });
     return static_cast<Bin>(bin);
   }
 
@@ -57,6 +64,7 @@ public:
 
 private:
   static constexpr std::size_t NumberOfSteps = 4096;
+  static constexpr float LastStep = NumberOfSteps - 1;
   static constexpr std::size_t LastSlab = NumberOfSlabs - 1;
 
   /// Of equal steps along an axis: twice a centroid in the frame is from -2 to 2.
@@ -65,8 +73,39 @@ private:
     const float twice = element.Box.Min[axis] + element.Box.Max[axis];
     // NOLINTNEXTLINE(bugprone-integer-division): a multiple of 4
     const float step = (twice + 2.0f) * (NumberOfSteps / 4);
-    return step > 0.0f ? static_cast<std::size_t>(std::min(step, NumberOfSteps - 1.0f)) : 0;
+    return step > 0.0f ? static_cast<std::size_t>(std::min(step, LastStep)) : 0;
   }
+
+  static std::array<std::uint16_t, D> StepsOf(const Element<D>& element)
+  {
+#if SKD_HAS_DOUBLE_LANES
+    if constexpr (D == 3)
+    {
+      return StepsOf(_mm_load_ps(element.Box.Min), _mm_loadu_ps(element.Box.Max));
+    }
+#endif
+    std::array<std::uint16_t, D> steps;
+    ForEachAxis<D>(
+      [&](int axis) {
+        steps[static_cast<std::size_t>(axis)] = static_cast<std::uint16_t>(StepOf(element, axis));
+      });
+    return steps;
+  }
+
+#if SKD_HAS_DOUBLE_LANES
+  /// StepOf() of three axes; of the fourth lane nothing is used.
+  static std::array<std::uint16_t, 3> StepsOf(__m128 least, __m128 greatest)
+  {
+    const __m128 twice = _mm_add_ps(least, greatest);
+    const __m128 step =
+      _mm_mul_ps(_mm_add_ps(twice, _mm_set1_ps(2.0f)), _mm_set1_ps(NumberOfSteps / 4));
+    const __m128 within = _mm_min_ps(_mm_max_ps(step, _mm_setzero_ps()), _mm_set1_ps(LastStep));
+    const __m128i steps = _mm_cvttps_epi32(within);
+    const auto at = [](int value) { return static_cast<std::uint16_t>(value); };
+    return { at(_mm_extract_epi16(steps, 0)), at(_mm_extract_epi16(steps, 2)),
+      at(_mm_extract_epi16(steps, 4)) };
+  }
+#endif
 
   std::array<std::array<std::uint8_t, NumberOfSteps>, D> Slabs;
 };
