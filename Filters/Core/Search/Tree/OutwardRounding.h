@@ -14,6 +14,16 @@ namespace skd
 /// Frame::OutwardWithin of many boxes in space, by vectors: the same to the last bit.
 class OutwardRounding
 {
+#if SKD_HAS_DOUBLE_LANES
+  /// As Frame::RoundUpInRange.
+  static __m128 NextOf(__m128 values)
+  {
+    const __m128i bits = _mm_castps_si128(_mm_add_ps(values, _mm_setzero_ps()));
+    return _mm_castsi128_ps(
+      _mm_add_epi32(bits, _mm_or_si128(_mm_srai_epi32(bits, 31), _mm_set1_epi32(1))));
+  }
+#endif
+
 public:
   OutwardRounding(const Frame<3>& frame, double margin)
 #if SKD_HAS_FOUR_DOUBLES
@@ -42,14 +52,6 @@ private:
     return _mm256_cvtpd_ps((world - this->Centre) * this->Scale);
   }
 
-  /// As Frame::RoundUpInRange.
-  static __m128 NextOf(__m128 values)
-  {
-    const __m128i bits = _mm_castps_si128(_mm_add_ps(values, _mm_setzero_ps()));
-    return _mm_castsi128_ps(
-      _mm_add_epi32(bits, _mm_or_si128(_mm_srai_epi32(bits, 31), _mm_set1_epi32(1))));
-  }
-
   __m256d Centre; // in the order of PointBounds
   __m256d Scale;
   __m256d Margin;
@@ -63,16 +65,14 @@ private:
 
   void Round(const PointBounds& bounds, FloatBox<3>& to) const
   {
-    const __m128i bits[2] = {
-      NextOf(_mm_movelh_ps(this->Local(bounds, 0), this->Local(bounds, 1))),
-      NextOf(this->Local(bounds, 2)),
-    };
-    const int minus = std::numeric_limits<int>::min(); // the sign of a float
-    const __m128i first = _mm_xor_si128(bits[0], _mm_set_epi32(0, minus, minus, minus));
+    const __m128 minus = _mm_setr_ps(-0.0f, -0.0f, -0.0f, 0.0f); // turns three signs
+    const __m128 first =
+      _mm_xor_ps(NextOf(_mm_movelh_ps(this->Local(bounds, 0), this->Local(bounds, 1))), minus);
+    const __m128 second = NextOf(this->Local(bounds, 2));
     static_assert(sizeof(to) == 6 * sizeof(float));
     char* bytes = reinterpret_cast<char*>(&to);
     std::memcpy(bytes, &first, sizeof(first));
-    std::memcpy(bytes + sizeof(first), &bits[1], 2 * sizeof(float));
+    std::memcpy(bytes + sizeof(first), &second, 2 * sizeof(float));
   }
 
 private:
@@ -82,13 +82,6 @@ private:
     const TwoDoubles local =
       (bounds.GetSides()[pair] + this->Margin - this->Centre[pair]) * this->Scale;
     return _mm_cvtpd_ps(local.Lanes());
-  }
-
-  /// As Frame::RoundUpInRange.
-  static __m128i NextOf(__m128 values)
-  {
-    const __m128i bits = _mm_castps_si128(_mm_add_ps(values, _mm_setzero_ps()));
-    return _mm_add_epi32(bits, _mm_or_si128(_mm_srai_epi32(bits, 31), _mm_set1_epi32(1)));
   }
 
   TwoDoubles Centre[3]; // in the order of PointBounds
