@@ -64,6 +64,22 @@ public:
   {
   }
 
+  /// Whether any of some groups of triangles, spread over all, face one way: of a surface that is
+  /// monotone somewhere, as a rule. Edges are not looked at.
+  bool AreSomeLikely(std::size_t numberOfTriangles) const
+  {
+    constexpr std::size_t group = 4 * PackedRTree::Width; // the least that is looked at by itself
+    constexpr std::size_t most = 64;                      // groups
+    const std::size_t count = numberOfTriangles / group;
+    const std::size_t step = std::max(std::size_t(1), count / most);
+    bool areSome = false;
+    for (std::size_t i = 0; i < count && !areSome; i += step)
+    {
+      areSome = this->DoFaceOneWay(i * group, (i + 1) * group);
+    }
+    return areSome;
+  }
+
   template <class Loop>
   void FindDirections(std::size_t numberOfTriangles, const Loop& loop)
   {
@@ -137,16 +153,29 @@ private:
     return static_cast<unsigned>(facing >> 8 * direction) & 0xffu;
   }
 
+  bool DoFaceOneWay(std::size_t begin, std::size_t end) const
+  {
+    unsigned directions = ~0u;
+    for (std::size_t i = begin; i < end && directions != 0; ++i)
+    {
+      directions &= this->DirectionsOf(this->CornersOfBox(
+        this->Tree.GetBoxOf(i / PackedRTree::Width, static_cast<int>(i % PackedRTree::Width))));
+    }
+    return directions != 0;
+  }
+
   /// A bit for each direction that a triangle surely faces; none if an edge of it may be open.
   unsigned DirectionsOf(std::uint32_t box, const MarkedNumbers& ends) const
   {
     const auto& corners = this->CornersOfBox(box);
     const int numberOfEnds = static_cast<int>(ends.IsMarked(corners[0])) +
       static_cast<int>(ends.IsMarked(corners[1])) + static_cast<int>(ends.IsMarked(corners[2]));
-    if (numberOfEnds > 1)
-    {
-      return 0;
-    }
+    return numberOfEnds > 1 ? 0 : this->DirectionsOf(corners);
+  }
+
+  template <class Corners>
+  unsigned DirectionsOf(const Corners& corners) const
+  {
     unsigned directions = 0;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -336,6 +365,10 @@ MonotonePatches::MonotonePatches(const PackedRTree& tree, std::size_t numberOfTr
     return;
   }
   Finder<PointList, CornersOf> finder(tree, points, cornersOf);
+  if (!finder.AreSomeLikely(numberOfTriangles))
+  {
+    return;
+  }
   finder.FindDirections(numberOfTriangles, loop);
   loop((this->Found.size() + most - 1) / most,
     [&](std::size_t group)
