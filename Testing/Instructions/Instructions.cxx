@@ -247,6 +247,20 @@ void CountUnionOfBoxes()
   CountInstructions("union of boxes", [&] { filter->Update(); });
 }
 
+/// Of spheres that intersect themselves everywhere: triangles meet in threes.
+void CountUnionOfNoisySpheres()
+{
+  skdtest::Random random(29);
+  const auto noisy = [&random](const Point& p) {
+    return p + 0.15 * random.InBox({ -1, 1, -1, 1, -1, 1 });
+  };
+  vtkNew<vtkSkdTreeBooleanOperation> filter;
+  filter->SetInputData(MakePolyData(SphereTriangles(12).Map(noisy)));
+  filter->SetSourceData(
+    MakePolyData(Transformed(SphereTriangles(12).Map(noisy), 1.0, { 0.5, 0.3, 0.2 })));
+  CountInstructions("union of noisy spheres", [&] { filter->Update(); });
+}
+
 /// Cells whose pieces must be searched, not gone through one by one.
 void CountExpensiveCells()
 {
@@ -303,6 +317,7 @@ int main()
   CountSurface();
   CountBoolean();
   CountUnionOfBoxes();
+  CountUnionOfNoisySpheres();
   CountVolume("tetrahedra", Tetrahedra(12));
   CountVolume("hexahedra", Hexahedra(16));
   CountVolume("mixed cells", MixedCells(12));

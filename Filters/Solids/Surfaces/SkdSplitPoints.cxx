@@ -155,10 +155,11 @@ int SkdSplitPoints::Orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, in
 {
   const int sign = skd::FilteredOrient2D(
     this->Positions[a], this->Positions[b], this->Positions[c], axis, this->Error);
-  if (sign != 0)
-  {
-    return sign;
-  }
+  return sign != 0 ? sign : this->OrientExactly(a, b, c, axis);
+}
+
+int SkdSplitPoints::OrientExactly(std::uint32_t a, std::uint32_t b, std::uint32_t c, int axis) const
+{
   const std::optional<int> known = SkdOrientByCoordinates(
     this->GetSplitPosition(a), this->GetSplitPosition(b), this->GetSplitPosition(c), axis);
   if (known)

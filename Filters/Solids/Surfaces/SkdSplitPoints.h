@@ -77,6 +77,9 @@ public:
   /// The exact sign of the area of three points as seen along an axis.
   int Orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, int axis) const;
 
+  /// The same, where rounded positions have been found not to tell it.
+  int OrientExactly(std::uint32_t a, std::uint32_t b, std::uint32_t c, int axis) const;
+
   /// The exact sign of a - b along an axis.
   int Compare(std::uint32_t a, std::uint32_t b, int axis) const;
 

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Surfaces/SkdSplitSegments.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
+#include <numeric>
 
 namespace skdtree
 {
@@ -109,7 +112,9 @@ void SkdSplitSegments::AddElements(const std::vector<PairSegment>& list)
       this->AddElementsOf(*last, number);
     }
     const bool isCurve = sides == 1 || (lines > 0 && sides == 0);
-    this->Segments.push_back({ first->A, first->B, isCurve, {} });
+    const bool isOfOnePair = lines == 1 && last - first == 1;
+    this->Segments.push_back({ first->A, first->B, isCurve,
+      isOfOnePair ? static_cast<std::uint32_t>(first->Pair) : None, {} });
     first = last;
   }
   for (Side& side : this->Sides)
@@ -147,6 +152,7 @@ void SkdSplitSegments::AddElementsOf(const PairSegment& of, std::uint32_t segmen
 //------------------------------------------------------------------------------
 bool SkdSplitSegments::Apply(const std::vector<SkdSplitEvent>& events)
 {
+  std::vector<std::uint32_t> crossings = this->FindFirstCrossings(events); // and then their points
   const SkdSplitEvent* last = nullptr;
   for (const SkdSplitEvent& event : events)
   {
@@ -163,9 +169,9 @@ bool SkdSplitSegments::Apply(const std::vector<SkdSplitEvent>& events)
     }
     else if (isNext)
     {
-      const SkdSplitSegment& a = this->Segments[event.A];
-      const SkdSplitSegment& b = this->Segments[event.B];
-      const std::uint32_t point = this->Points.AddCrossing({ a.A, a.B, b.A, b.B }, event.Axis);
+      const auto number = static_cast<std::uint32_t>(&event - events.data());
+      std::uint32_t& point = crossings[number];
+      point = point == number ? this->AddCrossing(event) : crossings[point];
       this->AddBetween(event.A, point);
       this->AddBetween(event.B, point);
     }
@@ -178,6 +184,71 @@ bool SkdSplitSegments::Apply(const std::vector<SkdSplitEvent>& events)
     }
   }
   return !events.empty();
+}
+
+std::uint32_t SkdSplitSegments::AddCrossing(const SkdSplitEvent& event)
+{
+  const SkdSplitSegment& a = this->Segments[event.A];
+  const SkdSplitSegment& b = this->Segments[event.B];
+  return this->Points.AddCrossing({ a.A, a.B, b.A, b.B }, event.Axis);
+}
+
+namespace
+{
+/// The crossing of segments between three triangles, of which two are in each.
+struct CrossingOfThree
+{
+  std::array<std::uint32_t, 3> Triangles; // ascending
+  std::uint32_t Event;
+
+  bool operator<(const CrossingOfThree& o) const
+  {
+    return std::tie(this->Triangles, this->Event) < std::tie(o.Triangles, o.Event);
+  }
+};
+}
+
+// Three triangles meet in one point at most if two of the segments between them cross: what is in
+// all three is convex, and in both segments. Each of the triangles finds it.
+std::vector<std::uint32_t> SkdSplitSegments::FindFirstCrossings(
+  const std::vector<SkdSplitEvent>& events) const
+{
+  std::vector<CrossingOfThree> ofThree;
+  for (const SkdSplitEvent& event : events)
+  {
+    if (const auto triangles = this->FindThree(event))
+    {
+      ofThree.push_back({ *triangles, static_cast<std::uint32_t>(&event - events.data()) });
+    }
+  }
+  vtkSMPTools::Sort(ofThree.begin(), ofThree.end());
+  std::vector<std::uint32_t> firsts(events.size());
+  std::iota(firsts.begin(), firsts.end(), 0u);
+  for (std::size_t i = 1; i < ofThree.size(); ++i)
+  {
+    const bool isSame = ofThree[i].Triangles == ofThree[i - 1].Triangles;
+    firsts[ofThree[i].Event] = isSame ? firsts[ofThree[i - 1].Event] : ofThree[i].Event;
+  }
+  return firsts;
+}
+
+/// The triangles of a crossing of two segments that are each the contact of a pair, with one
+/// triangle in common.
+std::optional<std::array<std::uint32_t, 3>> SkdSplitSegments::FindThree(
+  const SkdSplitEvent& event) const
+{
+  if (!this->IsOfOne || event.Kind != SkdSplitEvent::Cross ||
+    this->Segments[event.A].Pair == None || this->Segments[event.B].Pair == None)
+  {
+    return std::nullopt;
+  }
+  const SkdTrianglePair& a = this->Pairs[this->Segments[event.A].Pair];
+  const SkdTrianglePair& b = this->Pairs[this->Segments[event.B].Pair];
+  std::array<std::uint32_t, 4> all = { a.First, a.Second, b.First, b.Second };
+  std::sort(all.begin(), all.end());
+  const auto end = std::unique(all.begin(), all.end());
+  return end - all.begin() == 3 ? std::make_optional(std::array{ all[0], all[1], all[2] })
+                                : std::nullopt;
 }
 
 void SkdSplitSegments::AddBetween(std::uint32_t segment, std::uint32_t point)
@@ -195,6 +266,8 @@ void SkdSplitSegments::SortBetween(SkdSplitSegment& segment)
     points.clear();
     return;
   }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   const int sign = this->Points.Compare(segment.B, segment.A, axis);
   std::sort(points.begin(), points.end(),
     [&](std::uint32_t a, std::uint32_t b) { return sign * this->Points.Compare(a, b, axis) < 0; });

@@ -27,6 +27,7 @@ struct SkdSplitSegment
   std::uint32_t A;
   std::uint32_t B;
   bool IsCurve;                       ///< a curve, or the border of an overlap
+  std::uint32_t Pair;                 ///< that it is all of the contact of; None if of several
   std::vector<std::uint32_t> Between; ///< the points on it, from A to B
   bool IsNew = true;                  ///< or has new points
 };
@@ -135,6 +136,11 @@ private:
   std::vector<SkdSplitEvent> FindEvents(int side) const;
   bool FindAll();
   bool Apply(const std::vector<SkdSplitEvent>& events);
+  std::uint32_t AddCrossing(const SkdSplitEvent& event);
+
+  /// Of each event the first one that is surely the same crossing.
+  std::vector<std::uint32_t> FindFirstCrossings(const std::vector<SkdSplitEvent>& events) const;
+  std::optional<std::array<std::uint32_t, 3>> FindThree(const SkdSplitEvent& event) const;
   void AddBetween(std::uint32_t segment, std::uint32_t point);
   void SortBetween(SkdSplitSegment& segment);
   bool MeetAtEdges(Side& side);

@@ -32,6 +32,20 @@ int SkdSplitCorners::Add(std::uint32_t point, unsigned edges)
   return this->Count() - 1;
 }
 
+void SkdSplitCorners::PutOnLine(int corner, int line)
+{
+  std::array<int, 2>& lines = this->All[static_cast<std::size_t>(corner)].Lines;
+  int& next = lines[0] < 0 ? lines[0] : lines[1];
+  next = next < 0 && lines[0] != line ? line : next;
+}
+
+bool SkdSplitCorners::AreOnOneLine(int a, int b, int c) const
+{
+  const std::array<int, 2>& lines = (*this)[a].Lines;
+  return std::any_of(lines.begin(), lines.end(),
+    [&](int line) { return line >= 0 && (*this)[b].IsOn(line) && (*this)[c].IsOn(line); });
+}
+
 int SkdSplitCorners::Orient(int a, int b, int c)
 {
   const SkdSplitCorner& first = (*this)[a];
@@ -41,15 +55,20 @@ int SkdSplitCorners::Orient(int a, int b, int c)
   {
     return 0; // on one edge of the triangle
   }
-  if (std::min({ a, b, c }) >= 3) // all are points
-  {
-    return this->Sign * this->Points.Orient(first.Point, second.Point, third.Point, this->Axis);
-  }
   const int sign =
     skd::FilteredOrient2D(first.X, second.X, third.X, this->Axis, this->Points.GetError());
   if (sign != 0)
   {
     return this->Sign * sign;
+  }
+  if (this->AreOnOneLine(a, b, c))
+  {
+    return 0; // as exact signs would tell, slowly
+  }
+  if (std::min({ a, b, c }) >= 3) // all are points
+  {
+    return this->Sign *
+      this->Points.OrientExactly(first.Point, second.Point, third.Point, this->Axis);
   }
   const std::optional<int> known = SkdOrientByCoordinates(
     this->GetSplitPosition(a), this->GetSplitPosition(b), this->GetSplitPosition(c), this->Axis);
@@ -188,7 +207,7 @@ void SkdTriangleSplitter::CollectInside(const SkdSplitElement* first, const SkdS
 {
   this->Inner.clear();
   this->Curves.clear();
-  for (; first != last; ++first)
+  for (int line = 0; first != last; ++first, ++line)
   {
     const bool isOnEdge = first->GetEdges() != 0;
     const bool isCurve = this->Segments.GetSegment(first->Segment).IsCurve;
@@ -201,6 +220,7 @@ void SkdTriangleSplitter::CollectInside(const SkdSplitElement* first, const SkdS
       {
         this->Corners.Add(point, 0);
       }
+      this->Corners.PutOnLine(known, line);
       if (before >= 0 && !isOnEdge)
       {
         this->Inner.emplace_back(before, known);

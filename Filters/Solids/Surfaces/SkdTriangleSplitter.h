@@ -23,6 +23,11 @@ struct SkdSplitCorner
   skd::Vector3 X;
   std::uint32_t Point; ///< SkdSplitSegments::None of the triangle's own
   unsigned Edges;      ///< of the triangle that it lies on, a bit each
+
+  /// Segments of the triangle that it lies on, ascending. More than two are not kept.
+  std::array<int, 2> Lines = { -1, -1 };
+
+  bool IsOn(int line) const { return this->Lines[0] == line || this->Lines[1] == line; }
 };
 
 /// Positions and exact signs of the corners of pieces in a triangle, which turns left as seen.
@@ -40,6 +45,9 @@ public:
   /// Adds a point. Returns its number here.
   int Add(std::uint32_t point, unsigned edges);
 
+  /// Notes that a corner lies on a segment. These are numbered in the order of calls.
+  void PutOnLine(int corner, int line);
+
   int Count() const { return static_cast<int>(this->All.size()); }
   const SkdSplitCorner& operator[](int i) const { return this->All[static_cast<std::size_t>(i)]; }
 
@@ -49,6 +57,7 @@ public:
   ///@}
 
 private:
+  bool AreOnOneLine(int a, int b, int c) const;
   SkdSplitPosition GetSplitPosition(int i) const;
   const skd::ExactPoint& GetExact(int i);
 
