@@ -95,7 +95,7 @@ std::uint32_t SkdSplitPoints::AddCrossing(const std::array<std::uint32_t, 4>& en
   const std::uint32_t point = this->GetNumberOfPoints();
   this->Crossings.push_back({ ends, axis });
   this->Exact.emplace_back(nullptr);
-  this->Positions.push_back(this->GetExact(point).Rounded());
+  this->Positions.push_back(this->MakeExact(point).Rounded()); // few are asked for again
   this->ExactAxes.push_back(this->FindExactAxes(ends, this->Positions.back()));
   this->Same.Add();
   return point;
