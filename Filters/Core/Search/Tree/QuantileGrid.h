@@ -65,14 +65,14 @@ public:
 private:
   static constexpr std::size_t NumberOfSteps = 4096;
   static constexpr float LastStep = NumberOfSteps - 1;
+  static constexpr float StepsPerUnit = 0.25f * NumberOfSteps; // of twice a centroid
   static constexpr std::size_t LastSlab = NumberOfSlabs - 1;
 
   /// Of equal steps along an axis: twice a centroid in the frame is from -2 to 2.
   static std::size_t StepOf(const Element<D>& element, int axis)
   {
     const float twice = element.Box.Min[axis] + element.Box.Max[axis];
-    // NOLINTNEXTLINE(bugprone-integer-division): a multiple of 4
-    const float step = (twice + 2.0f) * (NumberOfSteps / 4);
+    const float step = (twice + 2.0f) * StepsPerUnit;
     return step > 0.0f ? static_cast<std::size_t>(std::min(step, LastStep)) : 0;
   }
 
@@ -97,8 +97,7 @@ private:
   static std::array<std::uint16_t, 3> StepsOf(__m128 least, __m128 greatest)
   {
     const __m128 twice = _mm_add_ps(least, greatest);
-    const __m128 step =
-      _mm_mul_ps(_mm_add_ps(twice, _mm_set1_ps(2.0f)), _mm_set1_ps(NumberOfSteps / 4));
+    const __m128 step = _mm_mul_ps(_mm_add_ps(twice, _mm_set1_ps(2.0f)), _mm_set1_ps(StepsPerUnit));
     const __m128 within = _mm_min_ps(_mm_max_ps(step, _mm_setzero_ps()), _mm_set1_ps(LastStep));
     const __m128i steps = _mm_cvttps_epi32(within);
     const auto at = [](int value) { return static_cast<std::uint16_t>(value); };
