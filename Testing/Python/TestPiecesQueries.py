@@ -17,11 +17,11 @@ import skdtesting
 
 RUNS = {
     2: ("runs", "cuts, ghosts"),
-    4: ("some empty", "runs, global ids", "cuts, mixed global ids", "cuts, doubled"),
+    4: ("some empty", "cuts, mixed global ids", "cuts, doubled"),
 }
 COUNT = 100 # of cells in a row
 RELATIONS = ("Overlap", "Exact Match", "Containment", "Enclosure", "Adjacency", "Nearest")
-GAPS = (-1.2e-7, 3e-8, 1e-7, 1.2e-7, 1.5e-7) # 2e-7 is twice the whole's epsilon
+GAPS = (-1.2e-7, 1e-7, 1.5e-7) # 2e-7 is twice the whole's epsilon
 IN_WHOLE = "SkdCellId"
 
 
@@ -59,9 +59,11 @@ def found_in(input, source):
         producer = simple.TrivialProducer()
         producer.GetClientSideObject().SetOutput(mesh)
         sides.append(producer)
+    proxy = simple.SkdTreeSpatialQuery(
+        Input=sides[0], Source=sides[1], SourceDistribution="Exchange")
     for number, asked in enumerate(queries()):
-        proxy = simple.SkdTreeSpatialQuery(
-            Input=sides[0], Source=sides[1], SourceDistribution="Exchange", **asked)
+        for property, value in asked.items(): # not before, where defaults would replace some
+            setattr(proxy, property, value)
         proxy.UpdatePipeline()
         for port in (0, 2):
             output = proxy.GetClientSideObject().GetOutputDataObject(port)
@@ -71,7 +73,6 @@ def found_in(input, source):
             columns = [vtk_to_numpy(data.GetArray(name)).astype(float) for name in names]
             yield f"{number}, {port}: {', '.join(names)}", numpy.nan_to_num(
                 numpy.array(columns).T, nan=-1.0)
-        simple.Delete(proxy)
 
 
 def write(file, partitions):
@@ -86,13 +87,13 @@ def write(file, partitions):
 def check(file, processes, partitions):
     parts = [dict(numpy.load(file % rank)) for rank in range(processes)]
     whole = dict(found_in(strip(), strip(40, 20)))
-    assert sum(len(rows) for rows in whole.values()) > 1000
+    assert sum(len(rows) for rows in whole.values()) > 400
     for partition in partitions:
         for name, rows in whole.items():
             told = numpy.vstack([part[f"{partition}; {name}"].reshape(-1, rows.shape[1])
                 for part in parts if f"{partition}; {name}" in part])
             first, second = (table[numpy.lexsort(table.T)] for table in (rows, told))
-            assert numpy.array_equal(first, second), (processes, partition, name, first, second)
+            assert numpy.array_equal(first, second), (processes, partition, name, first[:5], second[:5])
 
 
 skdpieces.run(__file__, RUNS, "queries_%d.npz", write, check)
