@@ -27,6 +27,7 @@
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 using namespace skdtree;
 
@@ -48,15 +49,15 @@ public:
   SkdParts::Wholes WholeSource;
   std::map<int, std::vector<vtkIdType>> JoinedIds; // of the input's cells, by block index
 
-  /// By block in use; empty where they are those of the mesh.
-  std::vector<std::vector<vtkIdType>> GetJoinedIds() const
+  /// By block in use; empty where they are those of the mesh. They are not kept.
+  std::vector<std::vector<vtkIdType>> TakeJoinedIds()
   {
     std::vector<std::vector<vtkIdType>> ids;
     for (const SkdBlock& block : this->Blocks)
     {
-      const auto found = this->JoinedIds.find(block.BlockIndex);
-      ids.push_back(found == this->JoinedIds.end() ? std::vector<vtkIdType>() : found->second);
+      ids.push_back(std::move(this->JoinedIds[block.BlockIndex]));
     }
+    this->JoinedIds.clear();
     return ids;
   }
 
@@ -231,7 +232,10 @@ void vtkSkdTreeSpatialQuery::FindJoined(vtkInformation* output)
     return;
   }
   internals.WholeMesh = this->Inputs->FindExtents(0, *transport, SkdMeasurable);
-  internals.WholeSource = this->Inputs->FindExtents(1, *transport, SkdMeasurable);
+  if (this->Shape == SOURCE_CELLS)
+  {
+    internals.WholeSource = this->Inputs->FindExtents(1, *transport, SkdMeasurable);
+  }
   if (!this->Inputs->GetWhole(0))
   {
     const std::vector<SkdBlock> blocks = SkdBlocksOf(this->Inputs->GetPiece(0));
@@ -420,7 +424,7 @@ void vtkSkdTreeSpatialQuery::FillOutputs(
   Internals& internals = *this->Impl;
   const SkdRelationRows answers{ internals.Pairs, internals.Queries,
     internals.Mesh.GetBlockIndices(), this->Exact, SkdIsComposite(input), SkdIsComposite(source),
-    internals.GetJoinedIds() };
+    internals.TakeJoinedIds() };
   const auto chosen = SkdChooseCells(internals.Pairs, internals.Blocks.size());
   vtkIdType found = 0;
   for (const std::vector<SkdChosenCell>& cells : chosen)

@@ -93,8 +93,8 @@ def check_pieces(file, processes, partitions):
     whole = {}
     for partition in partitions:
         if partition != ONLY_EXCHANGED:
-            is_as_cuts = partition != "one reader" and not partition.endswith("global ids")
-            answers = alone("cuts" if is_as_cuts else partition)
+            has_own = partition == "one reader" or partition.endswith("global ids")
+            answers = alone(partition if has_own else "cuts")
             whole.update((partition + name, table) for name, table in answers.items())
     check(whole, [dict(numpy.load(file % rank)) for rank in range(processes)])
 

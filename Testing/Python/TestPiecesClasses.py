@@ -69,8 +69,6 @@ def answer(name, proxy, port):
 
 
 def write(file, partitions):
-    from paraview import simple
-
     found = {}
     for partition in partitions:
         for wrap, function in WRAPS.items():
@@ -80,8 +78,7 @@ def write(file, partitions):
                     made = skdpieces.source("sphere", partition, **arguments)
                     made.UpdatePipeline()
                     mesh = made.GetClientSideObject().GetOutputDataObject(0)
-                    inputs[port] = simple.TrivialProducer()
-                    inputs[port].GetClientSideObject().SetOutput(function(mesh) if port == wrapped else mesh)
+                    inputs[port] = skdpieces.producer(function(mesh) if port == wrapped else mesh)
                 for distribution in ("Replicate", "Exchange"):
                     for name, case in filters(inputs, distribution).items():
                         found[f"{name}, {wrapped} as {wrap}, {distribution}"] = answer(name, *case)

@@ -161,8 +161,6 @@ def meshes(partition):
 def source(mesh, partition):
     """A source of this process's piece, whose cells tell which of all they are, and these numbers of
     those that are no ghosts."""
-    from paraview import simple
-
     whole = mesh.NewInstance()
     whole.CopyStructure(mesh)
     number = numpy_to_vtk(numpy.arange(mesh.GetNumberOfCells()), deep=1)
@@ -174,9 +172,7 @@ def source(mesh, partition):
     ghosts = piece.GetCellData().GetArray("vtkGhostType")
     if ghosts:
         numbers = numbers[vtk_to_numpy(ghosts) == 0]
-    producer = simple.TrivialProducer()
-    producer.GetClientSideObject().SetOutput(piece)
-    return producer, numbers
+    return skdpieces.producer(piece), numbers
 
 
 def points_of_cells(data, cells, name):

@@ -91,8 +91,7 @@ def cells_left_out(partition):
 
     counts = []
     for value, several in ((numpy.nan, 1), (numpy.nan, 4), (numpy.inf, 1)):
-        producer = simple.TrivialProducer()
-        producer.GetClientSideObject().SetOutput(skdpieces.piece(faces(value, several), partition))
+        producer = skdpieces.producer(skdpieces.piece(faces(value, several), partition))
         proxy = simple.SkdTreeSurfaceIntersection(SourceDistribution="Replicate", Source=producer,
             Input=skdpieces.source("sphere", partition, radius=3.0, center=(1.2, 0.5, 0.2)))
         proxy.UpdatePipeline()

@@ -141,11 +141,7 @@ def found_in(input, source, title):
     """What the filter finds, asked in several ways."""
     from paraview import simple
 
-    sides = []
-    for side in (input, source):
-        producer = simple.TrivialProducer()
-        producer.GetClientSideObject().SetOutput(as_blocks(*side))
-        sides.append(producer)
+    sides = [skdpieces.producer(as_blocks(*side)) for side in (input, source)]
     for distribution in ("Replicate", "Exchange"):
         for name, asked in (("all", {}), ("second, splines", {"HitSelection": "Nth", "HitNumber": 2,
             "PolylineForm": "Cardinal Spline"}), ("cut", {"CutCurves": 1})):

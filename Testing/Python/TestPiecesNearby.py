@@ -24,15 +24,11 @@ SUMS = ("SourceIntegral", "OverlapIntegral", "TargetIntegral", "Coverage")
 
 def curved(partition):
     """Lagrange hexahedra."""
-    from paraview import simple
-
     source = vtkCellTypeSource()
     source.SetCellType(VTK_LAGRANGE_HEXAHEDRON)
     source.SetBlocksDimensions(3, 3, 3)
     source.Update()
-    producer = simple.TrivialProducer()
-    producer.GetClientSideObject().SetOutput(skdpieces.piece(source.GetOutput(), partition))
-    return producer
+    return skdpieces.producer(skdpieces.piece(source.GetOutput(), partition))
 
 
 def filters(partition):

@@ -22,7 +22,6 @@ RUNS = {
 COUNT = 100 # of cells in a row
 RELATIONS = ("Overlap", "Exact Match", "Containment", "Enclosure", "Adjacency", "Nearest")
 GAPS = (-1.2e-7, 1e-7, 1.5e-7) # 2e-7 is twice the whole's epsilon
-IN_WHOLE = "SkdCellId"
 
 
 def strip(first=0, count=COUNT):
@@ -33,10 +32,8 @@ def strip(first=0, count=COUNT):
             points.InsertNextPoint(x, y, z)
     grid.SetPoints(points)
     for cell in range(count):
-        corners = [4 * cell + 4 * along + around
-            for around in (0, 1, 2, 3) for along in (0, 1)]
-        order = (0, 1, 3, 2, 6, 7, 5, 4)
-        grid.InsertNextCell(VTK_HEXAHEDRON, 8, [corners[i] for i in order])
+        corners = (0, 4, 5, 1, 3, 7, 6, 2)
+        grid.InsertNextCell(VTK_HEXAHEDRON, 8, [4 * cell + corner for corner in corners])
     return grid
 
 
@@ -54,13 +51,8 @@ def found_in(input, source):
     """By query: rows of both outputs that list cells, with the names of columns before them."""
     from paraview import simple
 
-    sides = []
-    for mesh in (input, source):
-        producer = simple.TrivialProducer()
-        producer.GetClientSideObject().SetOutput(mesh)
-        sides.append(producer)
-    proxy = simple.SkdTreeSpatialQuery(
-        Input=sides[0], Source=sides[1], SourceDistribution="Exchange")
+    proxy = simple.SkdTreeSpatialQuery(Input=skdpieces.producer(input),
+        Source=skdpieces.producer(source), SourceDistribution="Exchange")
     for number, asked in enumerate(queries()):
         for property, value in asked.items(): # not before, where defaults would replace some
             setattr(proxy, property, value)

@@ -47,11 +47,7 @@ def found_in(input, source):
     """Rows of what is found at each point, both ways."""
     from paraview import simple
 
-    sides = []
-    for mesh in (input, source):
-        producer = simple.TrivialProducer()
-        producer.GetClientSideObject().SetOutput(mesh)
-        sides.append(producer)
+    sides = [skdpieces.producer(mesh) for mesh in (input, source)]
     for distribution in ("Replicate", "Exchange"):
         proxy = simple.SkdTreeClosestPoint(
             Input=sides[0], Source=sides[1], SourceDistribution=distribution)

@@ -174,17 +174,22 @@ def wire(count=30, end=(4.0, 3.0, 2.0)):
     return grid
 
 
-def source(maker, partition, **arguments):
-    """A ParaView source of a mesh of one of the functions above, by its name. (A programmable source
-    would import numpy's names into the script.)"""
+def producer(mesh):
+    """A ParaView source of it. (A programmable source would import numpy's names into the script.)"""
     from paraview import simple
 
-    producer = simple.TrivialProducer()
+    made = simple.TrivialProducer()
+    made.GetClientSideObject().SetOutput(mesh)
+    return made
+
+
+def source(maker, partition, **arguments):
+    """A ParaView source of a mesh of one of the functions above, by its name."""
     mesh = piece(globals()[maker](**arguments), partition)
-    producer.GetClientSideObject().SetOutput(mesh)
+    made = producer(mesh)
     if MADE is not None:
-        MADE.append((producer, mesh))
-    return producer
+        MADE.append((made, mesh))
+    return made
 
 
 def process():

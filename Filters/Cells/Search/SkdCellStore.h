@@ -128,7 +128,7 @@ public:
   {
     return this->CurvedExtents.empty() ? this->BoundsOf(cell) : this->CurvedExtentOf(cell);
   }
-  /// The points of all cells, for those in the box of these.
+  /// The points of all cells; all but curved cells are in the box of theirs.
   skd::CellPoints PointsOfCells() const
   {
     return { this->Points, this->PointIds.data(),
@@ -139,9 +139,6 @@ public:
   /// The box that contains all cells.
   const skd::Box3& GetBounds() const { return this->Bounds; }
   SkdMeshExtent GetExtent() const { return { this->Bounds, this->Largest }; }
-
-  /// The largest magnitude of a coordinate of a point in use.
-  double LargestCoordinate() const { return this->Largest; }
 
   /// The points that are read where they are stored, if that is not this data set; else nullptr.
   vtkPoints* PointsOfAnother(vtkDataSet* data) const;

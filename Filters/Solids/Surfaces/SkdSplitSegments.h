@@ -16,7 +16,9 @@
 
 #include "Solids/Surfaces/SkdSplitPoints.h"
 
+#include <array>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 namespace skdtree

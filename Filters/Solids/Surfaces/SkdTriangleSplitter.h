@@ -12,6 +12,7 @@
 #include "Solids/Surfaces/SkdSplitEdges.h"
 #include "Solids/Surfaces/SkdSplitRegions.h"
 
+#include <array>
 #include <map>
 #include <optional>
 

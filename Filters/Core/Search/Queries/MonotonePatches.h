@@ -69,7 +69,7 @@ public:
   bool AreSomeLikely(std::size_t numberOfTriangles) const
   {
     constexpr std::size_t group = 4 * PackedRTree::Width; // the least that is looked at by itself
-    constexpr std::size_t most = 64;                      // groups
+    constexpr std::size_t most = 64;                      // groups, or not twice as many
     const std::size_t count = numberOfTriangles / group;
     const std::size_t step = std::max(std::size_t(1), count / most);
     bool areSome = false;
