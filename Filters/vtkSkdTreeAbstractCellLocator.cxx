@@ -11,10 +11,20 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 using namespace skdtree;
 
 VTK_ABI_NAMESPACE_BEGIN
+
+namespace
+{
+/// The mesh without broken cells, of which it has none if they were checked.
+SkdRepairedMesh WithoutBroken(vtkDataSet* data, bool isChecked)
+{
+  return data && !isChecked ? SkdRepair(data) : SkdRepairedMesh{ data, {} };
+}
+}
 
 //------------------------------------------------------------------------------
 vtkSkdTreeAbstractCellLocator::vtkSkdTreeAbstractCellLocator()
@@ -142,11 +152,14 @@ void vtkSkdTreeAbstractCellLocator::BuildLocatorInternal()
   settings.Rule = static_cast<skd::SplitRule>(this->SplitRule);
   settings.SkipsGhosts = this->SkipGhostCells;
   this->FreeSearchStructure();
-  const SkdRepairedMesh repaired = this->DataSet ? SkdRepair(this->DataSet) : SkdRepairedMesh();
+  SkdUniformCells uniform = SkdReadUniformCells(this->DataSet);
+  const SkdRepairedMesh repaired = WithoutBroken(this->DataSet, uniform.AreThere());
   std::shared_ptr<const SkdCellTree> tree;
   try
   {
-    tree = std::make_shared<const SkdCellTree>(repaired.Mesh, settings);
+    tree = std::make_shared<const SkdCellTree>(
+      SkdCellStore(repaired.Mesh, std::move(uniform), settings.SkipsGhosts, settings.Magnitudes),
+      settings);
   }
   catch (const std::length_error& error)
   {

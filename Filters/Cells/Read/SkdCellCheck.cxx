@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdCellSizes.h"
 #include "Cells/Read/SkdFaceSource.h"
+#include "Cells/Read/SkdIdRange.h"
 #include "Cells/Read/SkdRawCells.h"
 #include "Cells/Read/SkdStoredTypes.h"
 
@@ -21,7 +22,6 @@
 #include <array>
 #include <limits>
 #include <sstream>
-#include <type_traits>
 
 namespace skdtree
 {
@@ -77,7 +77,6 @@ template <class Offset, class Id, class SizesOf>
 bool AreCertainlyWhole(const Offset* offsets, const Id* ids, vtkIdType begin, vtkIdType end,
   vtkIdType numberOfIds, vtkIdType numberOfPoints, const SizesOf& sizesOf)
 {
-  using Unsigned = std::make_unsigned_t<Id>;
   const auto wide = [](vtkIdType value) { return static_cast<std::uint64_t>(value); };
   std::uint64_t bits =
     wide(offsets[begin]) | (wide(numberOfIds) - wide(std::max<vtkIdType>(offsets[end], 0)));
@@ -91,15 +90,12 @@ bool AreCertainlyWhole(const Offset* offsets, const Id* ids, vtkIdType begin, vt
   {
     return false;
   }
-  const auto last =
-    static_cast<Unsigned>(std::min<vtkIdType>(numberOfPoints - 1, std::numeric_limits<Id>::max()));
-  Unsigned idBits = 0;
+  SkdIdRange<Id> range(numberOfPoints);
   for (Offset i = offsets[begin]; i < offsets[end]; ++i)
   {
-    const auto id = static_cast<Unsigned>(ids[i]);
-    idBits |= id | (last - id);
+    range.Add(ids[i]);
   }
-  return idBits >> (8 * sizeof(Id) - 1) == 0;
+  return range.HasAll();
 }
 
 /// The cells of one vtkCellArray of a data set.

@@ -24,6 +24,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace skdtree
 {
@@ -39,7 +40,8 @@ void RequireRange(vtkIdType number, const char* what)
 }
 
 //------------------------------------------------------------------------------
-SkdCellStore::SkdCellStore(vtkDataSet* data, bool skipGhosts, const SkdMagnitudes& magnitudes)
+SkdCellStore::SkdCellStore(
+  vtkDataSet* data, SkdUniformCells&& uniform, bool skipGhosts, const SkdMagnitudes& magnitudes)
   : Magnitudes(magnitudes)
 {
   if (!data || data->GetNumberOfCells() == 0 || data->GetNumberOfPoints() == 0)
@@ -50,6 +52,11 @@ SkdCellStore::SkdCellStore(vtkDataSet* data, bool skipGhosts, const SkdMagnitude
   RequireRange(data->GetNumberOfPoints(), "points");
   const SkdCellReader reader(data);
   this->ReadPoints(data);
+  if (uniform.AreThere() && this->ArePointsFinite())
+  {
+    this->Take(std::move(uniform));
+    return;
+  }
   this->ReadCells(reader, data, skipGhosts);
   this->ReadFaces(data);
   this->Compact();
@@ -189,6 +196,17 @@ void SkdCellStore::Compact()
     this->CommonShape = this->Shapes.front();
     skd::RawVector<SkdShape>().swap(this->Shapes);
   }
+}
+
+//------------------------------------------------------------------------------
+void SkdCellStore::Take(SkdUniformCells&& uniform)
+{
+  this->CommonShape = uniform.Shape;
+  this->CommonSize = static_cast<std::uint32_t>(SkdNumberOfPoints(uniform.Shape));
+  this->PointIds = std::move(uniform.PointIds);
+  this->Count = static_cast<std::uint32_t>(this->PointIds.size() / this->CommonSize);
+  this->Bounds = uniform.Bounds;
+  this->Largest = skd::LargestCoordinate(this->Bounds);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "Cells/Kernels/SkdPolyCell.h"
 #include "Cells/Read/SkdMagnitudes.h"
 #include "Cells/Search/SkdMeshExtent.h"
+#include "Cells/Search/SkdUniformCells.h"
 #include "Core/Geometry/Box.h"
 #include "Core/Geometry/CellPoints.h"
 #include "Core/Search/Tree/RawVector.h"
@@ -39,7 +40,13 @@ public:
 
   /// `data` may be nullptr; it has no broken cells (SkdRepairedMesh.h). Throws std::length_error
   /// when there are more cells or points than 32-bit numbers can count.
-  SkdCellStore(vtkDataSet* data, bool skipGhosts, const SkdMagnitudes& magnitudes);
+  SkdCellStore(vtkDataSet* data, bool skipGhosts, const SkdMagnitudes& magnitudes)
+    : SkdCellStore(data, SkdReadUniformCells(data), skipGhosts, magnitudes)
+  {
+  }
+  /// `uniform`: what SkdReadUniformCells() returns of `data`.
+  SkdCellStore(
+    vtkDataSet* data, SkdUniformCells&& uniform, bool skipGhosts, const SkdMagnitudes& magnitudes);
 
   /// Some cells of another store, ascending, which must outlive this one: it has the points.
   SkdCellStore(const SkdCellStore& whole, const std::vector<std::uint32_t>& cells);
@@ -167,6 +174,7 @@ private:
   void ReadCurvedExtents(vtkDataSet* data);
   void Compact();
   void FindBounds();
+  void Take(SkdUniformCells&& uniform);
   skd::Box3 CurvedExtentOf(std::uint32_t cell) const;
 
   SkdMagnitudes Magnitudes;

@@ -121,6 +121,7 @@ class SkdCellTree
 {
 public:
   SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings);
+  SkdCellTree(SkdCellStore&& store, const SkdTreeSettings& settings);
   SkdCellTree(const SkdCellTree&) = delete; // a tree that is built on query reads these cells
   SkdCellTree& operator=(const SkdCellTree&) = delete;
   ~SkdCellTree();
@@ -287,8 +288,6 @@ public:
   double SafetyMargin() const { return (2.0 + 1.0 / 8.0) * this->TheEpsilon; }
 
 private:
-  SkdCellTree(SkdCellStore&& store, const SkdTreeSettings& settings);
-
   skd::ReadInput<3> MakeInput(const SkdTreeSettings& settings);
   void ReadElements(const skd::Frame<3>& frame, const std::uint32_t* cells, std::size_t count,
     skd::Element<3>* to) const;

@@ -4,6 +4,7 @@
 #define skd_Geometry_PointBounds_h
 
 #include "Box.h"
+#include "ForEachAxis.h"
 #include "PointArray.h"
 #include "TwoDoubles.h"
 
@@ -68,6 +69,11 @@ private:
     this->Low = _mm256_min_pd(this->Low, point);
     this->High = _mm256_max_pd(this->High, point);
   }
+  void Add(const PointBounds& other)
+  {
+    this->Low = _mm256_min_pd(this->Low, other.Low);
+    this->High = _mm256_max_pd(this->High, other.High);
+  }
 
   __m256d Low = _mm256_set1_pd(std::numeric_limits<double>::max());
   __m256d High = _mm256_set1_pd(std::numeric_limits<double>::lowest());
@@ -98,16 +104,36 @@ private:
   }
 
 private:
+  void Add(const PointBounds& other)
+  {
+    ForEachAxis<3>(
+      [&](int pair) { this->Sides[pair] = Larger(this->Sides[pair], other.Sides[pair]); });
+  }
+
   static constexpr double None = std::numeric_limits<double>::lowest();
   TwoDoubles Sides[3] = { TwoDoubles(None), TwoDoubles(None), TwoDoubles(None) };
 #endif
 
+  /// Several boxes at once: of one, each point waits for the comparisons of the one before.
   template <class Number, class Id>
   void AddAll(const Number* coordinates, const Id* ids, std::size_t number)
   {
-    for (std::size_t i = 0; i < number; ++i)
+    constexpr std::size_t several = 4;
+    PointBounds parts[several];
+    const auto add = [&](PointBounds& to, std::size_t i)
+    { to.Add(coordinates + 3 * static_cast<std::size_t>(ids[i])); };
+    const std::size_t last = number - number % several;
+    for (std::size_t i = 0; i < last; i += several)
     {
-      this->Add(coordinates + 3 * static_cast<std::size_t>(ids[i]));
+      ForEachAxis<several>([&](int part) { add(parts[part], i + static_cast<std::size_t>(part)); });
+    }
+    for (std::size_t i = last; i < number; ++i)
+    {
+      add(*this, i);
+    }
+    for (const PointBounds& part : parts)
+    {
+      this->Add(part);
     }
   }
 };
