@@ -7,6 +7,7 @@
 #include "Grower.h"
 #include "LazyTree.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <memory>
@@ -87,8 +88,10 @@ LazyTree<D> BuildLazyTree(const ReadInput<D>& input, const Loop& loop)
   std::unique_ptr<NodesOnQuery<D>> nodes;
   if (input.Count > input.Few)
   {
+    // Of each range a query needs a part alone, so that it pays to sort smaller ones coarsely.
+    const std::size_t enough = std::min<std::size_t>(input.Few, 4096);
     nodes = std::make_unique<GrowOnQuery<D>>(
-      std::make_unique<CoarseBins<D>>(input.Count, input.Few, input.Read, loop), input.Capacity);
+      std::make_unique<CoarseBins<D>>(input.Count, enough, input.Read, loop), input.Capacity);
   }
   else if (input.Count > 0)
   {
