@@ -16,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <sstream>
 
 using namespace skdtest;
@@ -454,6 +455,39 @@ TEST_F(Lifecycle, TreesOfManyTrianglesKeepAtMost85BytesForEach)
   EXPECT_EQ(locator->GetBytesPerCell(), static_cast<double>(locator->GetMemorySize()) / cells);
   locator->FreeSearchStructure();
   EXPECT_EQ(locator->GetBytesPerCell(), 0.0);
+}
+
+/// The same triangles, of which each two share points, and none with others.
+Mesh InPairs(const Mesh& mesh)
+{
+  Mesh pairs;
+  std::map<vtkIdType, vtkIdType> copies;
+  for (std::size_t i = 0; i < mesh.Cells.size(); ++i)
+  {
+    if (i % 2 == 0)
+    {
+      copies.clear();
+    }
+    Ids ids;
+    for (const vtkIdType id : mesh.Cells[i].Points)
+    {
+      const auto [copy, isNew] = copies.try_emplace(id, vtkIdType(pairs.Points.size()));
+      if (isNew)
+      {
+        pairs.Add(mesh.Points[static_cast<std::size_t>(id)]);
+      }
+      ids.push_back(copy->second);
+    }
+    pairs.Add(VTK_TRIANGLE, ids);
+  }
+  return pairs;
+}
+
+TEST_F(Lifecycle, CornersAtOnePlaceAreKeptOnceWhereTrianglesShareFewPoints)
+{
+  const Mesh pairs = InPairs(SphereTriangles(60));
+  EXPECT_LE(pairs.Points.size(), 2 * pairs.Cells.size());
+  EXPECT_LE(MakeLocator(MakePolyData(pairs))->GetBytesPerCell(), 85.0);
 }
 
 TEST_F(Lifecycle, TreesOfManyTetrahedraKeepAtMost75BytesForEach)

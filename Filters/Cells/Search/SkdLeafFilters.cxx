@@ -68,7 +68,7 @@ void ForEachPiece(std::uint64_t count, const Body& body)
 struct SharedPoints
 {
   const SkdCellStore& Store;
-  bool AreCompared = this->Store.GetNumberOfPoints() > 2 * vtkIdType(this->Store.NumberOfCells());
+  bool AreCompared = this->Store.GetNumberOfPoints() > vtkIdType(this->Store.NumberOfCells());
   std::uint32_t Ids[3 * skd::TrianglePacket::Width];
   std::uint32_t Count = 0;
 
