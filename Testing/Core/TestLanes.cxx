@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Search/Tree/AxisLanes.h"
+#include "Core/Search/Tree/ShortLanes.h"
 
 #include <gtest/gtest.h>
 
@@ -187,6 +188,34 @@ TEST(Lanes, HighestBitIsThatOfTheHighestLane)
   {
     EXPECT_EQ(skd::HighestBit(1u << lane), lane);
     EXPECT_EQ(skd::HighestBit(1u | 1u << lane), lane);
+  }
+}
+
+TEST(EightIntegers, AreSumsOfProductsAndTheirSigns)
+{
+  constexpr std::int16_t least = std::numeric_limits<std::int16_t>::min();
+  const skd::ShortPair pairs[W] = { { 0, 0 }, { 1, -1 }, { 8191, 32767 }, { -8191, -32767 },
+    { 300, 7 }, { -300, -7 }, { 8191, -32767 }, { least, 1 } };
+  const std::uint16_t shifted[W] = { 0, 1, 65534, 65535, 2, 3, 32768, 5 };
+  for (const skd::ShortPair with :
+    { skd::ShortPair{ 32767, least }, skd::ShortPair{ -2, 100 }, skd::ShortPair{ 1, 0 } })
+  {
+    const auto sums = skd::EightIntegers::SumsOfProducts(pairs, with);
+    const auto others = skd::EightIntegers::Shifted15(shifted);
+    unsigned negative = 0, ofSum = 0, ofDifference = 0;
+    for (int i = 0; i < W; ++i)
+    {
+      const auto sum =
+        std::uint32_t(pairs[i].First * with.First) + std::uint32_t(pairs[i].Second * with.Second);
+      const std::uint32_t other = std::uint32_t(shifted[i]) << 15;
+      negative |= (sum >> 31) << i;
+      ofSum |= ((sum + other) >> 31) << i;
+      ofDifference |= ((other - sum) >> 31) << i;
+    }
+    EXPECT_EQ(NegativeLanes(sums), negative);
+    EXPECT_EQ(NegativeLanes(sums + others), ofSum);
+    EXPECT_EQ(NegativeLanes(others - sums), ofDifference);
+    EXPECT_EQ(NegativeLanes(sums | (others - sums)), negative | ofDifference);
   }
 }
 

@@ -281,12 +281,10 @@ struct CellPlanes
 
   unsigned MayHold(const Vector3& x) const
   {
-    const Vector3 local = this->TheGrid.Of(x);
-    const float position[3] = { float(local[0]), float(local[1]), float(local[2]) };
     unsigned held = 0xffu;
     for (const skd::PlaneRow& row : this->Rows)
     {
-      held &= row.MayHold(position);
+      held &= ~NegativeLanes(row.Inside(skd::WholePoint(this->TheGrid.Of(x))));
     }
     return held;
   }
@@ -382,8 +380,7 @@ TEST(SlabPacket, HoldsHexahedraAndWithParallelFacesLittleElse)
     const auto heldAt = [&](int lane, const Vector3& pcoords)
     {
       const Vector3 x = skd::Evaluate<Shape>(cells[lane].data(), pcoords, { { 0.0, 0.0, 0.0 } });
-      const float position[3] = { float(x[0]), float(x[1]), float(x[2]) };
-      return packet.MayHold(position);
+      return 0xffu & ~NegativeLanes(packet.Inside(skd::WholePoint(x)));
     };
     for (int lane = 1; lane < skd::SlabRow::Width; ++lane)
     {
@@ -412,8 +409,8 @@ TEST(PlaneRow, ADirectionWithoutLengthExcludesNothing)
   {
     skd::PlaneRow row;
     row.SetAlongFace(2, direction, points[0], points, 1, 0.0);
-    const float far[3] = { 3e4f, -3e4f, 3e4f };
-    EXPECT_EQ(row.MayHold(far), 0xffu);
+    const skd::WholePoint far(Vector3{ { 3e4, -3e4, 3e4 } });
+    EXPECT_EQ(NegativeLanes(row.Inside(far)), 0u);
   }
 }
 

@@ -155,7 +155,10 @@ public:
   /// The parametric coordinates at x of a cell after the motion (or nullptr), given those in the
   /// tree: a polyhedron's are relative to its bounds, which change with a rotation.
   skd::Vector3 MovedPCoords(const skd::RigidMotion* motion, vtkIdType id, const skd::Vector3& x,
-    const skd::Vector3& pcoords) const;
+    const skd::Vector3& pcoords) const
+  {
+    return motion ? this->PCoordsAfter(*motion, id, x, pcoords) : pcoords;
+  }
   ///@}
 
   ///@{
@@ -328,6 +331,8 @@ private:
 
   /// GetSimplices() of a cell that is not curved; false for others.
   bool GetStraightSimplices(std::uint32_t cell, skd::SimplexSet& simplices) const;
+  skd::Vector3 PCoordsAfter(const skd::RigidMotion& motion, vtkIdType id, const skd::Vector3& x,
+    const skd::Vector3& pcoords) const;
   SkdCellPoint Measure(
     std::uint32_t cell, const skd::Vector3& x, double limit2, const SkdCellSource& source) const;
   std::optional<SkdLineHit> Hit(std::uint32_t cell, const skd::SegmentView& view, double tolerance,

@@ -277,17 +277,17 @@ void SkdCellTree::Interpolate(
 }
 
 //------------------------------------------------------------------------------
-skd::Vector3 SkdCellTree::MovedPCoords(const skd::RigidMotion* motion, vtkIdType id,
+skd::Vector3 SkdCellTree::PCoordsAfter(const skd::RigidMotion& motion, vtkIdType id,
   const skd::Vector3& x, const skd::Vector3& pcoords) const
 {
-  const std::int64_t found = motion ? this->Store.CellOfId(id) : -1;
+  const std::int64_t found = this->Store.CellOfId(id);
   if (found < 0)
   {
     return pcoords;
   }
   const auto cell = static_cast<std::uint32_t>(found);
   return this->Store.ShapeOf(cell) == SkdShape::Polyhedron
-    ? SkdPolyKernels::PCoordsInBounds(this->WorldBoundsOf(cell, motion), x)
+    ? SkdPolyKernels::PCoordsInBounds(this->WorldBoundsOf(cell, &motion), x)
     : pcoords;
 }
 }

@@ -43,21 +43,24 @@ public:
   SKD_FLATTEN unsigned Pass(std::uint32_t number, std::uint32_t count, float*, float&) const
   {
     const PlanePackets& packets = this->Packets;
+    const PlanePacket* packet = packets.Boxes ? nullptr : packets.First + number;
+    const WholePoint x((packet ? packet->Grid : packets.Boxes[number].Grid).Of(this->Local));
+    EightIntegers inside;
     if (packets.Slabs)
     {
-      return packets.Slabs[number].MayHold(this->On(packets.Boxes[number].Grid).X) & LowBits(count);
+      inside = packets.Slabs[number].Inside(x);
     }
-    const PlanePacket* packet = packets.Boxes ? nullptr : packets.First + number;
-    const Rounded x = this->On(packet ? packet->Grid : packets.Boxes[number].Grid);
-    const PlaneRow* row =
-      packets.Rows + (packet ? packet->FirstRow : number * std::size_t(packets.CommonRows));
-    const PlaneRow* const end = row + (packet ? packet->Count : packets.CommonRows);
-    unsigned passed = LowBits(count);
-    for (; row != end && passed != 0; ++row)
+    else
     {
-      passed &= row->MayHold(x.X);
+      const PlaneRow* row =
+        packets.Rows + (packet ? packet->FirstRow : number * std::size_t(packets.CommonRows));
+      const PlaneRow* const end = row + (packet ? packet->Count : packets.CommonRows);
+      for (; row != end; ++row)
+      {
+        inside = inside | row->Inside(x);
+      }
     }
-    return passed;
+    return LowBits(count) & ~NegativeLanes(inside);
   }
 
   void FetchData(std::uint32_t) const {}
@@ -83,16 +86,6 @@ public:
   }
 
 private:
-  struct Rounded
-  {
-    float X[3];
-  };
-  Rounded On(const QuantizationGrid& grid) const
-  {
-    const Vector3 x = grid.Of(this->Local);
-    return { { static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2]) } };
-  }
-
   const PlanePackets& Packets;
   Vector3 Local;
 };

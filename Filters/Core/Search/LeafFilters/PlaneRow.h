@@ -3,7 +3,7 @@
 #ifndef skd_LeafFilters_PlaneRow_h
 #define skd_LeafFilters_PlaneRow_h
 
-#include "../Tree/Lanes.h"
+#include "../Tree/ShortLanes.h"
 #include "QuantizationGrid.h"
 
 namespace skd
@@ -33,30 +33,62 @@ private:
   double At[Shape::Size][3][8] = {};
 };
 
-/// A direction for each of eight cells, on the grid, and what limits need that cells have along it.
-/// Directions are whole numbers, and no error: with each go the limits that it needs.
+/// A point on the grid in whole numbers, as rows take it: within the grid's extent the nearest.
+class WholePoint
+{
+public:
+  explicit WholePoint(const Vector3& onGrid)
+    : XY{ NearestTo(onGrid[0]), NearestTo(onGrid[1]) }
+    , ZAndUnit{ NearestTo(onGrid[2]), std::numeric_limits<std::int16_t>::min() }
+  {
+  }
+
+private:
+  friend struct NormalRow;
+
+  /// Without a conversion, which is slower: the last bits of a sum with 1.5 * 2^52.
+  static std::int16_t NearestTo(double coordinate)
+  {
+    const double large = coordinate + 6755399441055744.0;
+    std::uint64_t bits;
+    std::memcpy(&bits, &large, sizeof(bits));
+    return static_cast<std::int16_t>(static_cast<std::uint16_t>(bits));
+  }
+
+  ShortPair XY;
+  ShortPair ZAndUnit; ///< with the unit of offsets, negative
+};
+
+/// A plane for each of eight cells, on the grid, that has the whole cell on one side: there
+/// Normal . x is at least Least * OffsetUnit. Normals and limits are whole numbers: a normal has no
+/// error, since it goes with the limit that it needs.
 struct NormalRow
 {
   static constexpr int Width = 8;
-  static constexpr double OffsetUnit = 4.0 * QuantizationGrid::Largest; ///< no product is greater
-  /// A margin, in units, above what rounding does to corners, to a point and in MayHold().
-  static constexpr double Rounding = 0.25;
+  static constexpr double Longest = 8191.0;     ///< of a normal along an axis
+  static constexpr double OffsetUnit = 32768.0; ///< with Longest, no sum is beyond 32 bits
+  /// A margin, in units, above what rounding does to corners and to a point.
+  static constexpr double Rounding = 0.25 + 0.875;
 
-  std::int16_t Normal[3][Width] = {};
+  ///@{
+  /// Until it is set, a plane excludes nothing: 0 . x >= 0.
+  ShortPair XY[Width] = {};
+  ShortPair ZAndLeast[Width] = {};
+  ///@}
 
-protected:
-  /// How far x, which is within the grid's extent, is along the directions.
-  template <class L>
-  L HeightOf(const float* x, int first) const
+  /// How far above the plane, in the normal's length.
+  EightIntegers HeightOf(const WholePoint& x) const
   {
-    const auto normal = [&](int axis) { return L::LoadShorts(this->Normal[axis] + first); };
-    return normal(0) * L(x[0]) + normal(1) * L(x[1]) + normal(2) * L(x[2]);
+    return EightIntegers::SumsOfProducts(this->XY, x.XY) +
+      EightIntegers::SumsOfProducts(this->ZAndLeast, x.ZAndUnit);
   }
 
-  template <class L>
-  static L Limit(const std::int16_t* offsets, int first)
+protected:
+  void Put(int lane, const double* normal, double least)
   {
-    return L::LoadShorts(offsets + first) * L(float(OffsetUnit));
+    const auto whole = [](double value) { return static_cast<std::int16_t>(value); };
+    this->XY[lane] = { whole(normal[0]), whole(normal[1]) };
+    this->ZAndLeast[lane] = { whole(normal[2]), whole(least) };
   }
 
   /// A direction across one face of cells of a shape.
@@ -126,7 +158,7 @@ protected:
     const auto isDirection = (largest > none) & (sum <= most);
     for (int axis = 0; axis < 3; ++axis)
     {
-      const Number whole = NearestWhole(across[axis] / largest * double(QuantizationGrid::Largest));
+      const Number whole = NearestWhole(across[axis] / largest * Longest);
       normal[axis] = isDirection ? whole : none;
     }
   }
@@ -139,24 +171,21 @@ protected:
     return (value + large) - large;
   }
 
-  /// Within the grid's extent.
+  /// Of 16 bits, and so is its negative.
   template <class Number>
-  static Number LeastWholeAbove(const Number& value)
+  static Number GreatestWholeBelow(const Number& value)
   {
     const Number most = Number{} + double(QuantizationGrid::Largest);
     const Number above = value > -most ? value : -most;
     const Number within = above < most ? above : most;
     const Number nearest = NearestWhole(within);
-    return nearest < within ? nearest + 1.0 : nearest;
+    return nearest > within ? nearest - 1.0 : nearest;
   }
 };
 
-/// A plane for each of eight cells that has the whole cell on one side: Normal . x is at most
-/// Offset * OffsetUnit there.
+/// Planes of which nothing else is known.
 struct alignas(64) PlaneRow : NormalRow
 {
-  std::int16_t Offset[Width] = {}; // 0 . x <= 0: until it is set, a plane excludes nothing
-
   /// The plane along a face of what the points (on the grid) span, beside them all and `margin`
   /// away from them, given a direction across it, either way, and a point of it: outward is where
   /// the points extend less far from there. A direction without length excludes nothing.
@@ -184,17 +213,8 @@ struct alignas(64) PlaneRow : NormalRow
     }
   }
 
-  /// Bit i: x, which is within the grid's extent, may be in the cell of lane i.
-  SKD_FLATTEN unsigned MayHold(const float* x) const
-  {
-    unsigned held = 0;
-    for (int first = 0; first < Width; first += NativeWidth)
-    {
-      using L = Lanes<NativeWidth>;
-      held |= LessEqual(this->HeightOf<L>(x, first), Limit<L>(this->Offset, first)) << first;
-    }
-    return held;
-  }
+  /// Negative in the lanes of cells that do not hold x, which is within the grid's extent.
+  EightIntegers Inside(const WholePoint& x) const { return this->HeightOf(x); }
 
 private:
   /// Of a cell, or of several: Number is double, or as many of them as are computed with at once.
@@ -203,7 +223,7 @@ private:
   struct Plane
   {
     Number Normal[3];
-    Number Offset;
+    Number Least;
   };
 
   template <class Number, class Corner>
@@ -214,12 +234,12 @@ private:
     SetDirection(across, plane.Normal);
     const Number height = Along(plane.Normal, [&](int axis) { return onFace[axis]; });
     const Extent<Number> extent(plane.Normal, height, corner, count);
-    const auto isFlipped = extent.Most - height > height - extent.Least;
-    const Number most = isFlipped ? -extent.Least : extent.Most;
-    plane.Offset = LeastWholeAbove((most + extent.Length * margin) / OffsetUnit);
+    const auto isInward = extent.Most - height > height - extent.Least;
+    const Number least = isInward ? extent.Least : -extent.Most;
+    plane.Least = GreatestWholeBelow((least - extent.Length * margin) / OffsetUnit);
     for (Number& component : plane.Normal)
     {
-      component = isFlipped ? -component : component;
+      component = isInward ? component : -component;
     }
     return plane;
   }
@@ -233,27 +253,22 @@ private:
         this->Put(first + i,
           { { LaneOf(planes.Normal[0], i), LaneOf(planes.Normal[1], i),
               LaneOf(planes.Normal[2], i) },
-            LaneOf(planes.Offset, i) });
+            LaneOf(planes.Least, i) });
       }
     }
   }
 
   void Put(int lane, const Plane<double>& plane)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->Normal[axis][lane] = static_cast<std::int16_t>(plane.Normal[axis]);
-    }
-    this->Offset[lane] = static_cast<std::int16_t>(plane.Offset);
+    this->NormalRow::Put(lane, plane.Normal, plane.Least);
   }
 };
 
-/// Two parallel planes for each of eight cells that have the whole cell between them: there
-/// Normal . x, in units of OffsetUnit, is at least Least and at most Most.
+/// A second plane for each cell, parallel to the first and Thickness * OffsetUnit away from it, so
+/// that the whole cell is between them.
 struct SlabRow : NormalRow
 {
-  std::int16_t Least[Width] = {};
-  std::int16_t Most[Width] = {};
+  std::uint16_t Thickness[Width] = {};
 
   /// Across a face of cells of a shape and the next, which is opposite, both with a direction
   /// outward or both inward. Of the lanes whose bits are set.
@@ -274,28 +289,26 @@ struct SlabRow : NormalRow
       const DoubleVector height = Along(normal, [&](int axis) { return corner(0, axis); });
       const Extent<DoubleVector> extent(normal, height, corner, Shape::Size);
       const DoubleVector aside = extent.Length * margin;
-      const DoubleVector most = LeastWholeAbove((extent.Most + aside) / OffsetUnit);
-      const DoubleVector least = -LeastWholeAbove((aside - extent.Least) / OffsetUnit);
+      const DoubleVector most = -GreatestWholeBelow(-(extent.Most + aside) / OffsetUnit);
+      const DoubleVector least = GreatestWholeBelow((extent.Least - aside) / OffsetUnit);
       for (int i = 0; i < NativeDoubles; ++i)
       {
-        const int lane = first + i;
-        for (int axis = 0; axis < 3 && (lanes >> lane & 1u) != 0; ++axis)
+        if ((lanes >> (first + i) & 1u) != 0)
         {
-          this->Normal[axis][lane] = static_cast<std::int16_t>(LaneOf(normal[axis], i));
-          this->Least[lane] = static_cast<std::int16_t>(LaneOf(least, i));
-          this->Most[lane] = static_cast<std::int16_t>(LaneOf(most, i));
+          const double one[3] = { LaneOf(normal[0], i), LaneOf(normal[1], i),
+            LaneOf(normal[2], i) };
+          this->Put(first + i, one, LaneOf(least, i));
+          this->Thickness[first + i] = static_cast<std::uint16_t>(LaneOf(most - least, i));
         }
       }
     }
   }
 
-  /// How far x is beyond the planes, as Normal has it: not at all, which is 0 or less, where it may
-  /// be in the cell.
-  template <class L>
-  L Beyond(const float* x, int first) const
+  /// As that of PlaneRow.
+  EightIntegers Inside(const WholePoint& x) const
   {
-    const L height = this->HeightOf<L>(x, first);
-    return Max(Limit<L>(this->Least, first) - height, height - Limit<L>(this->Most, first));
+    const EightIntegers height = this->HeightOf(x);
+    return height | (EightIntegers::Shifted15(this->Thickness) - height);
   }
 };
 
@@ -307,16 +320,9 @@ struct SlabPacket
   SlabRow Slabs[Number];
 
   /// As that of PlaneRow.
-  SKD_FLATTEN unsigned MayHold(const float* x) const
+  EightIntegers Inside(const WholePoint& x) const
   {
-    unsigned held = 0;
-    for (int first = 0; first < SlabRow::Width; first += NativeWidth)
-    {
-      using L = Lanes<NativeWidth>;
-      const auto beyond = [&](int i) { return this->Slabs[i].Beyond<L>(x, first); };
-      held |= LessEqual(Max(Max(beyond(0), beyond(1)), beyond(2)), L(0.0f)) << first;
-    }
-    return held;
+    return this->Slabs[0].Inside(x) | this->Slabs[1].Inside(x) | this->Slabs[2].Inside(x);
   }
 };
 

@@ -8,18 +8,26 @@
 namespace skd
 {
 
+/// Bit i is set where `test(axis)`, lane by lane, is true of all axes.
+template <int D, class Test>
+unsigned OnAllAxes(const Test& test)
+{
+  auto truths = test(0);
+  ForEachAxis<D - 1>([&](int axis) { truths = truths & test(axis + 1); });
+  return truths.Bits();
+}
+
 /// Bit i is set where the box of lane i overlaps that from min(axis) to max(axis), for all lanes.
 template <int D, int W, class Min, class Max>
 unsigned OverlappingLanes(const BoxPacket<D, W>& boxes, const Min& min, const Max& max)
 {
-  unsigned overlapping = ~0u;
-  ForEachAxis<D>(
+  using L = Lanes<W>;
+  return OnAllAxes<D>(
     [&](int axis)
     {
-      overlapping &=
-        LessEqual(boxes.Mins(axis), max(axis)) & LessEqual(min(axis), boxes.Maxs(axis));
+      return L::AreLessEqual(boxes.Mins(axis), max(axis)) &
+        L::AreLessEqual(min(axis), boxes.Maxs(axis));
     });
-  return overlapping;
 }
 
 /// A query box, in a tree's frame: each of its sides for all lanes of a packet.
@@ -57,14 +65,13 @@ public:
   template <int W>
   unsigned Holding(const BoxPacket<D, W>& boxes) const
   {
-    unsigned held = ~0u;
-    ForEachAxis<D>(
+    using L = Lanes<W>;
+    return OnAllAxes<D>(
       [&](int axis)
       {
-        held &= LessEqual(Lanes<W>(this->Min[axis]), boxes.Mins(axis)) &
-          LessEqual(boxes.Maxs(axis), Lanes<W>(this->Max[axis]));
+        return L::AreLessEqual(L(this->Min[axis]), boxes.Mins(axis)) &
+          L::AreLessEqual(boxes.Maxs(axis), L(this->Max[axis]));
       });
-    return held;
   }
 
 private:

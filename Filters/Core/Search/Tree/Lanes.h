@@ -8,6 +8,7 @@
 #define skd_Tree_Lanes_h
 
 #include "../../Geometry/ForEachAxis.h"
+#include "Bits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -160,53 +161,6 @@ inline unsigned Bits(TruthVector truth)
 #endif
 }
 
-}
-
-/// The number of the lowest bit that is set, of at least one.
-inline int LowestBit(unsigned bits)
-{
-#if defined(__GNUC__)
-  return __builtin_ctz(bits);
-#else
-  int lowest = 0;
-  while ((bits >> lowest & 1u) == 0)
-  {
-    ++lowest;
-  }
-  return lowest;
-#endif
-}
-
-/// The number of the highest bit that is set, of at least one, of eight.
-inline int HighestBit(unsigned bits)
-{
-#if defined(__GNUC__)
-  return 31 ^ __builtin_clz(bits); // of which GCC makes one instruction
-#else
-  int highest = 31;
-  while ((bits >> highest & 1u) == 0)
-  {
-    --highest;
-  }
-  return highest;
-#endif
-}
-
-/// Calls visit(lane) for each bit that is set, from the lowest.
-template <class Visit>
-void ForEachLane(unsigned wanted, Visit visit)
-{
-  while (wanted != 0)
-  {
-    visit(LowestBit(wanted));
-    wanted &= wanted - 1;
-  }
-}
-
-/// That many bits, from the lowest.
-inline unsigned LowBits(std::uint32_t count)
-{
-  return (1u << count) - 1u;
 }
 
 /// Prefetches `Size` bytes of memory.
@@ -452,13 +406,9 @@ public:
 
   Lanes() = default;
   explicit Lanes(float value)
+    : Lanes(InEveryLane(value))
   {
-    for (detail::FloatVector& some : this->Registers)
-    {
-      some = detail::Same(value);
-    }
   }
-
   explicit Lanes(const InEveryLane& value)
   {
     for (detail::FloatVector& some : this->Registers)
@@ -554,15 +504,51 @@ public:
       a, b, [](detail::FloatVector x, detail::FloatVector y) { return detail::Smaller(x, y); });
   }
 
-  /// Bit i is set where a <= b in lane i; never for NaN.
-  friend unsigned LessEqual(const Lanes& a, const Lanes& b)
+  /// Yes or no lane by lane. To ask for its bits takes longer than to combine it.
+  class Truths
   {
-    unsigned bits = 0;
+  public:
+    friend Truths operator&(const Truths& a, const Truths& b)
+    {
+      Truths both;
+      for (int i = 0; i < Count; ++i)
+      {
+        both.Registers[i] = a.Registers[i] & b.Registers[i];
+      }
+      return both;
+    }
+
+    /// Bit i is that of lane i.
+    unsigned Bits() const
+    {
+      unsigned bits = 0;
+      for (int i = 0; i < Count; ++i)
+      {
+        bits |= detail::Bits(this->Registers[i]) << (i * detail::VectorWidth);
+      }
+      return bits;
+    }
+
+  private:
+    friend class Lanes;
+
+    detail::TruthVector Registers[W / detail::VectorWidth];
+  };
+
+  /// Where a <= b; never for NaN.
+  static Truths AreLessEqual(const Lanes& a, const Lanes& b)
+  {
+    Truths truths;
     for (int i = 0; i < Count; ++i)
     {
-      bits |= detail::Bits(a.Registers[i] <= b.Registers[i]) << (i * detail::VectorWidth);
+      truths.Registers[i] = a.Registers[i] <= b.Registers[i];
     }
-    return bits;
+    return truths;
+  }
+  /// The same by bits.
+  friend unsigned LessEqual(const Lanes& a, const Lanes& b)
+  {
+    return AreLessEqual(a, b).Bits();
   }
 
   /// Lane by lane a <= b ? yes : no.
