@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Geometry/Predicates/ClosePoint.h"
 #include "Core/Geometry/Predicates/ExactPoint.h"
+#include "Core/Geometry/Predicates/LongPoint.h"
 #include "Core/Geometry/Predicates/Orient3D.h"
 
 #include <gtest/gtest.h>
@@ -228,6 +229,64 @@ TEST(ClosePoint, KnowsNothingWithoutACrossing)
   const skd::ClosePoint none = skd::CloseCrossingWithPlane(low, high, a, tiny, other);
   EXPECT_TRUE(std::isinf(none.Error));
   EXPECT_EQ(skd::CloseOrient2D(none, skd::ClosePoint(b), skd::ClosePoint(c), 2), 0);
+}
+
+/// Crossings of lines through crossings, which differ by rounding or less, or not at all.
+TEST(LongPoint, OrdersCrossingsAsExactOnesDo)
+{
+  std::mt19937_64 random(6);
+  const auto draw = [&] { return std::uniform_real_distribution<double>(-1.0, 1.0)(random); };
+  int told = 0;
+  int nearlyOnLine = 0;
+  int onLine = 0;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const double size = std::ldexp(1.0, static_cast<int>(random() % 61) - 30);
+    const double noise = std::ldexp(size, -static_cast<int>(random() % 54));
+    const auto nearby = [&](double x, double y) {
+      return ExactPoint(Vector3{ { size * x + noise * draw(), size * y + noise * draw(), 0.0 } });
+    };
+    std::vector<ExactPoint> crossings; // of lines with nearly one line
+    for (const double x : { -0.5, 0.1, 0.7, 0.3 })
+    {
+      const double slope = draw();
+      crossings.push_back(skd::ExactCrossing(
+        nearby(-1.0, 0.1), nearby(1.0, 0.2), nearby(x - slope, -1.0), nearby(x + slope, 1.0), 2));
+    }
+    crossings.push_back(
+      skd::ExactCrossing(crossings[0], crossings[1], nearby(0.2, -0.7), nearby(0.4, 1.0), 2));
+    const std::array<std::array<int, 3>, 3> triples{ { { 0, 1, 2 }, { 1, 4, 3 }, { 0, 1, 4 } } };
+    for (const auto& [a, b, c] : triples)
+    {
+      const int expected = skd::ExactArea(crossings[a], crossings[b], crossings[c], 2).Sign();
+      const int sign = skd::LongOrient2D(skd::LongPoint(crossings[a]), skd::LongPoint(crossings[b]),
+        skd::LongPoint(crossings[c]), 2);
+      EXPECT_TRUE(sign == 0 || sign == expected) << i;
+      told += sign != 0;
+      onLine += expected == 0;
+      nearlyOnLine += expected != 0 && noise < 0x1p-48 * size;
+      EXPECT_TRUE(expected == 0 || sign != 0) << i;
+    }
+  }
+  EXPECT_GE(onLine, 2000);
+  EXPECT_GT(nearlyOnLine, 200);
+  EXPECT_GT(told, 3900);
+}
+
+TEST(LongPoint, IsThePointToTwoHundredBits)
+{
+  const auto at = [](double x, double y) { return ExactPoint(Vector3{ { x, y, 1e300 } }); };
+  const ExactPoint third = skd::ExactCrossing(at(0, 0), at(1, 3), at(0, 1), at(2, 1), 2);
+  const skd::LongPoint point(third);
+  EXPECT_EQ(AsDouble(point.X[0]), 1.0 / 3.0);
+  EXPECT_EQ((point.X[1] - BigNumber(1.0)).Sign(), 0);
+  EXPECT_EQ((point.X[2] - BigNumber(1e300)).Sign(), 0);
+  BigNumber error = point.X[0] * BigNumber(3.0) - BigNumber(1.0);
+  EXPECT_NE(error.Sign(), 0);
+  EXPECT_LT(std::abs(AsDouble(error)), 0x1p-200);
+  EXPECT_LE(std::abs(AsDouble(error)), 3.0 * std::ldexp(1.0, 32 * point.Error));
+  // Nothing is told of points within the error of a line.
+  EXPECT_EQ(skd::LongOrient2D(point, point, point, 2), 0);
 }
 
 }

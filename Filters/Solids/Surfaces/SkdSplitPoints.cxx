@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Surfaces/SkdSplitPoints.h"
 
+#include "Core/Geometry/Predicates/LongPoint.h"
 #include "Core/Geometry/Predicates/Orient3D.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace skdtree
 {
@@ -36,6 +38,31 @@ double LargestCoordinateOf(const SkdTriangleSet::PointList& points)
   return extent;
 }
 }
+
+/// An exact position, and that to two hundred bits once that is worth while: it takes as long to
+/// make as some exact signs.
+struct SkdSplitPoints::ExactPosition
+{
+  static constexpr int Few = 2; // signs
+
+  explicit ExactPosition(skd::ExactPoint exact)
+    : Exact(std::move(exact))
+  {
+  }
+  ~ExactPosition() { delete this->Long.load(); }
+  ExactPosition(const ExactPosition&) = delete;
+  ExactPosition& operator=(const ExactPosition&) = delete;
+
+  bool IsAskedOften() const { return this->NumberAsked.load(std::memory_order_relaxed) > Few; }
+  const skd::LongPoint& GetLong() const
+  {
+    return MadeOnce(this->Long, [&] { return skd::LongPoint(this->Exact); });
+  }
+
+  const skd::ExactPoint Exact;
+  mutable std::atomic<const skd::LongPoint*> Long{ nullptr };
+  mutable std::atomic<int> NumberAsked{ 0 }; // for signs
+};
 
 std::optional<int> SkdOrientByCoordinates(
   const SkdSplitPosition& a, const SkdSplitPosition& b, const SkdSplitPosition& c, int axis)
@@ -84,7 +111,7 @@ SkdSplitPoints::~SkdSplitPoints()
 
 void SkdSplitPoints::ForgetExact() const
 {
-  for (std::atomic<const skd::ExactPoint*>& exact : this->Exact)
+  for (std::atomic<const ExactPosition*>& exact : this->Exact)
   {
     delete exact.exchange(nullptr);
   }
@@ -130,7 +157,16 @@ std::uint32_t SkdSplitPoints::Find(std::uint32_t point) const
 
 const skd::ExactPoint& SkdSplitPoints::GetExact(std::uint32_t point) const
 {
-  return MadeOnce(this->Exact[point], [&] { return this->MakeExact(point); });
+  return MadeOnce(this->Exact[point], [&] { return this->MakeExact(point); }).Exact;
+}
+
+/// For a sign.
+auto SkdSplitPoints::AskExact(std::uint32_t point) const -> const ExactPosition&
+{
+  const ExactPosition& position =
+    MadeOnce(this->Exact[point], [&] { return this->MakeExact(point); });
+  position.NumberAsked.fetch_add(1, std::memory_order_relaxed);
+  return position;
 }
 
 const skd::ClosePoint& SkdSplitPoints::GetClose(std::uint32_t point) const
@@ -174,9 +210,17 @@ int SkdSplitPoints::OrientExactly(std::uint32_t a, std::uint32_t b, std::uint32_
   const int close = areContacts
     ? skd::CloseOrient2D(this->GetClose(a), this->GetClose(b), this->GetClose(c), axis)
     : 0;
-  return close != 0
-    ? close
-    : skd::ExactArea(this->GetExact(a), this->GetExact(b), this->GetExact(c), axis).Sign();
+  if (close != 0)
+  {
+    return close;
+  }
+  const ExactPosition& x = this->AskExact(a);
+  const ExactPosition& y = this->AskExact(b);
+  const ExactPosition& z = this->AskExact(c);
+  const bool areAskedOften = x.IsAskedOften() && y.IsAskedOften() && z.IsAskedOften();
+  const int sign =
+    areAskedOften ? skd::LongOrient2D(x.GetLong(), y.GetLong(), z.GetLong(), axis) : 0;
+  return sign != 0 ? sign : skd::ExactArea(x.Exact, y.Exact, z.Exact, axis).Sign();
 }
 
 int SkdSplitPoints::Compare(std::uint32_t a, std::uint32_t b, int axis) const

@@ -87,6 +87,7 @@ public:
   int FindAxis(std::uint32_t a, std::uint32_t b) const;
 
 private:
+  struct ExactPosition;
   struct Crossing
   {
     std::array<std::uint32_t, 4> Ends;
@@ -94,6 +95,7 @@ private:
   };
   skd::ExactPoint MakeExact(std::uint32_t point) const;
   const skd::ClosePoint& GetClose(std::uint32_t point) const;
+  const ExactPosition& AskExact(std::uint32_t point) const;
   unsigned char FindExactAxes(
     const std::array<std::uint32_t, 4>& ends, const skd::Vector3& position) const;
 
@@ -102,7 +104,7 @@ private:
   std::vector<Crossing> Crossings;
   std::vector<skd::Vector3> Positions;
   std::vector<unsigned char> ExactAxes;                           // of these, a bit each
-  mutable std::deque<std::atomic<const skd::ExactPoint*>> Exact;  // nullptr: not known yet
+  mutable std::deque<std::atomic<const ExactPosition*>> Exact;    // nullptr: not known yet
   mutable std::vector<std::atomic<const skd::ClosePoint*>> Close; // of contact points, the same
   skd::DisjointSets<> Same;                                       // points of one position
 };

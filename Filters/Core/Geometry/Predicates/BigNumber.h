@@ -44,6 +44,10 @@ public:
 
   int Sign() const { return this->Digits.empty() ? 0 : (this->IsNegative ? -1 : 1); }
 
+  /// The position of the digit after the highest, in digits of 32 bits: the magnitude is below
+  /// 2^(32 Top()) and, unless the number is 0, at least 2^(32 (Top() - 1)).
+  int Top() const { return this->Exponent + static_cast<int>(this->Digits.size()); }
+
   friend BigNumber operator-(BigNumber a)
   {
     a.IsNegative = !a.IsNegative;
@@ -52,18 +56,13 @@ public:
 
   friend BigNumber operator+(const BigNumber& a, const BigNumber& b)
   {
-    if (a.Digits.empty() || b.Digits.empty())
-    {
-      return a.Digits.empty() ? b : a;
-    }
-    if (a.IsNegative == b.IsNegative)
-    {
-      return Combine(a, b, 1);
-    }
-    return CompareMagnitudes(a, b) >= 0 ? Combine(a, b, -1) : Combine(b, a, -1);
+    return Sum(a, b, b.IsNegative);
   }
 
-  friend BigNumber operator-(const BigNumber& a, const BigNumber& b) { return a + -b; }
+  friend BigNumber operator-(const BigNumber& a, const BigNumber& b)
+  {
+    return Sum(a, b, !b.IsNegative);
+  }
 
   friend BigNumber operator*(const BigNumber& a, const BigNumber& b)
   {
@@ -101,9 +100,6 @@ public:
   }
 
 private:
-  /// The position of the digit after the highest.
-  int Top() const { return this->Exponent + static_cast<int>(this->Digits.size()); }
-
   std::uint32_t At(int digit) const
   {
     const int i = digit - this->Exponent;
@@ -132,6 +128,22 @@ private:
       }
     }
     return 0;
+  }
+
+  /// The sum of a and the magnitude of b with a sign.
+  static BigNumber Sum(const BigNumber& a, const BigNumber& b, bool isNegative)
+  {
+    if (b.Digits.empty() || (!a.Digits.empty() && a.IsNegative == isNegative))
+    {
+      return b.Digits.empty() ? a : Combine(a, b, 1);
+    }
+    if (!a.Digits.empty() && CompareMagnitudes(a, b) >= 0)
+    {
+      return Combine(a, b, -1);
+    }
+    BigNumber sum = a.Digits.empty() ? b : Combine(b, a, -1);
+    sum.IsNegative = isNegative;
+    return sum;
   }
 
   /// The magnitudes added, or the lower taken from the higher; the sign of a.
