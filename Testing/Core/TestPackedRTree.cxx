@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Geometry/Intersection/TriangleContact.h"
 #include "Core/Search/Queries/MonotonePatches.h"
+#include "TriangleMesh.h"
 
 #include <gtest/gtest.h>
 
@@ -203,42 +203,9 @@ TEST(PackedRTree, OfNoneThereIsNone)
 namespace
 {
 using skd::Vector3;
-using Corners = std::array<std::uint32_t, 3>;
-
-struct Mesh
-{
-  std::vector<Vector3> Points;
-  std::vector<Corners> Triangles;
-
-  std::array<Vector3, 3> At(std::size_t i) const
-  {
-    const Corners& corners = this->Triangles[i];
-    return { this->Points[corners[0]], this->Points[corners[1]], this->Points[corners[2]] };
-  }
-
-  void Add(const Mesh& other)
-  {
-    const auto first = static_cast<std::uint32_t>(this->Points.size());
-    this->Points.insert(this->Points.end(), other.Points.begin(), other.Points.end());
-    for (const Corners& corners : other.Triangles)
-    {
-      this->Triangles.push_back({ corners[0] + first, corners[1] + first, corners[2] + first });
-    }
-  }
-};
-
-/// Whether two triangles have more in common than the corners that they share, exactly.
-bool HaveMoreInCommon(const Mesh& mesh, std::size_t i, std::size_t k)
-{
-  int numberShared = 0;
-  for (const std::uint32_t corner : mesh.Triangles[i])
-  {
-    numberShared +=
-      static_cast<int>(std::count(mesh.Triangles[k].begin(), mesh.Triangles[k].end(), corner));
-  }
-  const int count = skd::FindContact(mesh.At(i), mesh.At(k)).Count;
-  return count > numberShared || (count == 3 && numberShared == 3);
-}
+using Mesh = skdtest::TriangleMesh;
+using Corners = Mesh::Corners;
+using skdtest::HaveMoreInCommon;
 
 /// The triangles that are certified, each of which must have nothing in common with any but shared
 /// corners.

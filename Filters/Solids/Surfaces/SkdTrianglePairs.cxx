@@ -6,6 +6,7 @@
 #include "Core/Geometry/Distance/ClosestTriangles.h"
 #include "Core/Geometry/Intersection/NeighbourTriangles.h"
 #include "Core/Geometry/Intersection/TriangleContact.h"
+#include "Core/Search/Queries/ClippedPairs.h"
 #include "Core/Search/Queries/MonotonePatches.h"
 #include "Core/Search/Queries/OverlapParts.h"
 #include "Core/Search/Tree/LazyTree.h"
@@ -64,6 +65,14 @@ public:
     const skd::TriangleInPlane triangle = this->First.GetInPlane(first);
     return std::all_of(others.begin(), others.end(),
       [&](std::uint32_t second) { return this->Visit(first, triangle, second, found); });
+  }
+
+  /// The same of one triangle of a surface and others of it that are seldom neighbours.
+  bool VisitEach(std::uint32_t first, const std::vector<std::uint32_t>& others,
+    std::vector<SkdTrianglePair>& found)
+  {
+    return std::all_of(others.begin(), others.end(),
+      [&](std::uint32_t second) { return this->VisitClosely(first, second, found); });
   }
 
   /// The same of one triangle of a surface and several others of it. Most share corners with it or
@@ -232,6 +241,7 @@ void Add(const std::vector<SkdTrianglePair>& pairs, std::vector<SkdTrianglePair>
 }
 
 constexpr std::size_t PacketsOfPart = 16; // of the search within one surface
+constexpr std::size_t MaxSize = std::numeric_limits<std::size_t>::max();
 
 template <class TriangleOf>
 std::vector<skd::Box3> ListBoxes(
@@ -267,9 +277,20 @@ void LeaveOutKnown(
   }
 }
 
-/// All that were found, or the lowest; none of more than are wanted.
+/// Sorts pairs, and leaves each once.
+void SortOnce(std::vector<SkdTrianglePair>& pairs)
+{
+  vtkSMPTools::Sort(pairs.begin(), pairs.end(), IsBefore);
+  pairs.erase(
+    std::unique(pairs.begin(), pairs.end(),
+      [](const auto& a, const auto& b) { return a.First == b.First && a.Second == b.Second; }),
+    pairs.end());
+}
+
+/// All that were found, or the lowest; none of more than are wanted, or than `most` with repeated
+/// ones.
 std::vector<SkdTrianglePair> Gather(
-  std::vector<std::vector<SkdTrianglePair>> found, const SkdPairSearch& search)
+  std::vector<std::vector<SkdTrianglePair>> found, const SkdPairSearch& search, std::size_t most)
 {
   std::size_t count = 0;
   for (const std::vector<SkdTrianglePair>& some : found)
@@ -277,18 +298,18 @@ std::vector<SkdTrianglePair> Gather(
     count += some.size();
   }
   std::vector<SkdTrianglePair> all;
-  if (count > search.Most)
+  all.reserve(count <= most ? count : 0);
+  for (std::size_t i = 0; i < found.size() && count <= most; ++i)
+  {
+    all.insert(all.end(), found[i].begin(), found[i].end());
+    found[i] = {};
+  }
+  SortOnce(all);
+  if (count > most || all.size() > search.Most)
   {
     *search.AreMore = true;
-    return all;
+    return {};
   }
-  all.reserve(count);
-  for (std::vector<SkdTrianglePair>& some : found)
-  {
-    all.insert(all.end(), some.begin(), some.end());
-    some = {};
-  }
-  vtkSMPTools::Sort(all.begin(), all.end(), IsBefore);
   all.resize(
     search.Wanted == SkdPairSearch::All ? all.size() : std::min<std::size_t>(1, all.size()));
   return all;
@@ -312,7 +333,6 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
   return this->FindByTrees(Moved{ *motion, search.Clearance + rounding }, search, loop);
 }
 
-//------------------------------------------------------------------------------
 template <class ToFirst>
 std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
   const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const
@@ -342,7 +362,7 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
         count += found[part].size();
       }
     });
-  return Gather(std::move(found), search);
+  return Gather(std::move(found), search, search.Most);
 }
 
 /// A search in a packed R-tree, in parts. It stops after too many looks: that is for trees; and
@@ -350,8 +370,8 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
 class SkdTrianglePairs::PackedSearch
 {
 public:
-  PackedSearch(std::size_t numberOfParts, std::size_t numberOfTriangles,
-    std::size_t mostPairs = std::numeric_limits<std::size_t>::max())
+  PackedSearch(
+    std::size_t numberOfParts, std::size_t numberOfTriangles, std::size_t mostPairs = MaxSize)
     : Found(numberOfParts)
     , Most(64 * numberOfTriangles)
     , MostPairs(mostPairs)
@@ -379,10 +399,13 @@ public:
   /// False if these are too many.
   bool Affords(std::size_t looks) { return (this->Looks += looks) <= this->Most; }
 
+  bool IsWhole() const { return this->Pairs <= this->MostPairs; }
+
   std::optional<std::vector<SkdTrianglePair>> Take(const SkdPairSearch& search)
   {
-    return this->Looks > this->Most ? std::nullopt
-                                    : std::make_optional(Gather(std::move(this->Found), search));
+    return this->Looks > this->Most
+      ? std::nullopt
+      : std::make_optional(Gather(std::move(this->Found), search, this->MostPairs));
   }
 
 private:
@@ -441,7 +464,6 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindByPackedRTree(
   return parts.Take(search);
 }
 
-//------------------------------------------------------------------------------
 // Triangles whose pairs are known are looked at where others may be.
 std::vector<std::uint32_t> SkdTrianglePairs::ListUnknown(const SkdKnownPairs& known) const
 {
@@ -462,13 +484,41 @@ std::vector<std::uint32_t> SkdTrianglePairs::ListUnknown(const SkdKnownPairs& kn
   return unknown;
 }
 
-//------------------------------------------------------------------------------
 /// Pairs of two triangles one of which is not of those whose pairs are known.
 std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindUnknown(
   const SkdKnownPairs& known, const SkdPairSearch& search, SkdLoop& loop) const
 {
   const auto near = SkdFindNear(this->Placement.First, known.End);
   return near ? this->FindByPackedRTree(*near, search, loop, *known.Doubtful) : std::nullopt;
+}
+
+template <class TriangleOf>
+std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindByClipping(std::size_t count,
+  const TriangleOf& triangleOf, const SkdPairSearch& search, SkdLoop& loop,
+  const SkdKnownPairs* known) const
+{
+  const SkdMovedTriangles& set = this->Placement.First;
+  const auto cornersOf = [&](std::uint32_t i) -> const SkdTriangleSet::Corners&
+  { return set.GetCorners(triangleOf(i)); };
+  const skd::ClippedPairs<SkdTriangleSet::PointList, decltype(cornersOf)> pairs(
+    set.GetPoints(), count, cornersOf);
+  Search state(this->Placement, search);
+  constexpr std::size_t times = 16; // that a pair may be found
+  PackedSearch parts(
+    pairs.size(), count, search.Most > MaxSize / times ? MaxSize : times * search.Most);
+  parts.ForEachPart(loop,
+    [&](std::size_t part, std::vector<SkdTrianglePair>& found)
+    {
+      pairs.VisitPart(part,
+        [&](std::uint32_t first, std::vector<std::uint32_t>& others)
+        {
+          std::transform(others.begin(), others.end(), others.begin(), triangleOf);
+          LeaveOutKnown(triangleOf(first), known, others);
+          return state.VisitEach(triangleOf(first), others, found);
+        });
+      SortOnce(found);
+    });
+  return parts.IsWhole() ? parts.Take(search) : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
@@ -524,6 +574,8 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersecti
       }
     });
   auto found = parts.Take(search);
+  found =
+    found ? std::move(found) : this->FindByClipping(searched, triangleOf, search, loop, known);
   if (known && found)
   {
     Add(known->Pairs, *found);

@@ -97,8 +97,9 @@ public:
 
   /// Of one surface that is searched for the first time: searches a packed R-tree of all its
   /// triangles. The clearance must be 0. The set's points must be merged; a tree is not needed.
-  /// Empty if boxes overlap so much that trees are faster. With some pairs `known`, which all are
-  /// wanted and no copies left out, only the others are searched.
+  /// Where boxes overlap much, triangles are cut (ClippedPairs.h). Empty if there are far more
+  /// pairs than wanted. With some pairs `known`, which all are wanted and no copies left out, only
+  /// the others are searched.
   std::optional<std::vector<SkdTrianglePair>> FindSelfIntersections(
     const SkdPairSearch& search, SkdLoop& loop, const SkdKnownPairs* known = nullptr) const;
 
@@ -111,6 +112,13 @@ private:
   std::vector<std::uint32_t> ListUnknown(const SkdKnownPairs& known) const;
   std::optional<std::vector<SkdTrianglePair>> FindUnknown(
     const SkdKnownPairs& known, const SkdPairSearch& search, SkdLoop& loop) const;
+
+  /// Where boxes of triangles overlap much, by parts of these. Empty if there are far more pairs
+  /// than wanted.
+  template <class TriangleOf>
+  std::optional<std::vector<SkdTrianglePair>> FindByClipping(std::size_t count,
+    const TriangleOf& triangleOf, const SkdPairSearch& search, SkdLoop& loop,
+    const SkdKnownPairs* known) const;
 
   template <class ToFirst>
   std::vector<SkdTrianglePair> FindByTrees(
