@@ -15,12 +15,14 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
 #include "vtkSkdTreeBooleanOperation.h"
 #include "vtkSkdTreeCellLocator.h"
 
+#include <cmath>
 #include <iostream>
 
 namespace
@@ -261,6 +263,33 @@ void CountUnionOfNoisySpheres()
   CountInstructions("union of noisy spheres", [&] { filter->Update(); });
 }
 
+/// Two fans, at the tips of which all boxes overlap, along an axis that slants.
+Mesh Bicone(int count, double slant)
+{
+  Mesh mesh;
+  mesh.Points = { { 0.0, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } };
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * i / count;
+    mesh.Points.push_back({ std::cos(angle), std::sin(angle), 0.0 });
+    const vtkIdType next = 2 + (i + 1) % count;
+    mesh.Add(VTK_TRIANGLE, { 2 + i, next, 0 });
+    mesh.Add(VTK_TRIANGLE, { next, 2 + i, 1 });
+  }
+  return mesh.Map(
+    [slant](const Point& p) {
+      return Point{ p[0] + slant * p[2], p[1] - 0.5 * slant * p[2], p[2] - slant * p[0] };
+    });
+}
+
+void CountUnionOfBicones()
+{
+  vtkNew<vtkSkdTreeBooleanOperation> filter;
+  filter->SetInputData(MakePolyData(Bicone(1000, 0.2)));
+  filter->SetSourceData(MakePolyData(Transformed(Bicone(1000, 0.7), 1.0, { 0.3, 0.2, 0.1 })));
+  CountInstructions("union of bicones", [&] { filter->Update(); });
+}
+
 /// Cells whose pieces must be searched, not gone through one by one.
 void CountExpensiveCells()
 {
@@ -318,6 +347,7 @@ int main()
   CountBoolean();
   CountUnionOfBoxes();
   CountUnionOfNoisySpheres();
+  CountUnionOfBicones();
   CountVolume("tetrahedra", Tetrahedra(12));
   CountVolume("hexahedra", Hexahedra(16));
   CountVolume("mixed cells", MixedCells(12));
