@@ -9,8 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <random>
+#include <string>
+#include <utility>
 
 using namespace skdtree;
 using namespace skdtest;

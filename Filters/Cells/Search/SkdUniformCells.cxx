@@ -4,13 +4,14 @@
 
 #include "Cells/Read/SkdEnclose.h"
 #include "Cells/Read/SkdIdRange.h"
-#include "Cells/Read/SkdRawCells.h"
+#include "Cells/Read/SkdStoredCells.h"
 #include "Cells/Read/SkdStoredTypes.h"
 #include "Cells/Read/SkdStoredValues.h"
 #include "Core/Geometry/PointBounds.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSkdTreeVersion.h"
@@ -33,19 +34,21 @@ struct Candidates
   vtkPolyData* Surface = nullptr; // if it has a table of types
   vtkSmartPointer<vtkUnsignedCharArray> OwnTypes;
 
-  /// That the cells begin .. end - 1 are of this type.
+  /// Whether the cells begin .. end - 1 are of this type.
   bool AreOfType(vtkIdType begin, vtkIdType end) const
   {
-    unsigned others = 0;
-    for (vtkIdType cell = begin; cell < end && this->Types; ++cell)
+    const auto are = [&](const auto& typeOf)
     {
-      others |= static_cast<unsigned>(this->Types[cell] ^ this->Type);
-    }
-    for (vtkIdType cell = begin; cell < end && this->Surface; ++cell)
-    {
-      others |= static_cast<unsigned>(this->Surface->vtkPolyData::GetCellType(cell) ^ this->Type);
-    }
-    return others == 0;
+      int others = 0;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        others |= typeOf(cell) ^ this->Type;
+      }
+      return others == 0;
+    };
+    return (!this->Types || are([this](vtkIdType cell) { return this->Types[cell]; })) &&
+      (!this->Surface ||
+        are([this](vtkIdType cell) { return this->Surface->vtkPolyData::GetCellType(cell); }));
   }
 };
 
@@ -181,7 +184,7 @@ private:
   std::atomic<bool> AreWhole{ true };
 };
 
-/// Whether 32-bit numbers count them, of which offsets need not be more.
+/// Whether there are some, and so few that 32-bit offsets count the points of as many hexahedra.
 bool IsInRange(vtkIdType number)
 {
   return number > 0 && number < std::numeric_limits<std::int32_t>::max() / 8;
