@@ -97,6 +97,18 @@ TEST(BooleanOperationCrowds, UnionIsThatOfTheArrangementOfAll)
   EXPECT_EQ(inPairs.Surface.Points.size(), atOnce.Surface.Points.size());
 }
 
+/// Where there are many pairs of triangles, but few places where three of them meet.
+TEST(BooleanOperationCrowds, ThinSolidsThatCrossAreUnitedAtOnce)
+{
+  Random random(14);
+  const std::vector<Mesh> rods = RandomRods(random, 250, 0.02);
+  const Result atLeastOne = RunOnBlocks(rods, Filter::AT_LEAST);
+  const Result united = RunOnBlocks(rods, Filter::UNION);
+  EXPECT_LE(united.NumberSplit, CountTriangles(rods));
+  EXPECT_EQ(united.Volume, atLeastOne.Volume);
+  EXPECT_EQ(united.Surface.Points, atLeastOne.Surface.Points);
+}
+
 /// The volumes of what is in at least k solids, for each k; all from one arrangement.
 std::vector<double> VolumesInAtLeast(const std::vector<Mesh>& solids)
 {

@@ -9,6 +9,7 @@
  */
 #include "Support/CountInstructions.h"
 #include "Support/LongCells.h"
+#include "Support/RandomSolids.h"
 #include "Support/SpatialQueryRun.h"
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
@@ -263,6 +264,20 @@ void CountUnionOfNoisySpheres()
   CountInstructions("union of noisy spheres", [&] { filter->Update(); });
 }
 
+/// Of thin boxes that cross each other in more pairs of triangles than is usual.
+void CountUnionOfRods()
+{
+  skdtest::Random random(31);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (const Mesh& rod : RandomRods(random, 250, 0.02))
+  {
+    blocks->SetBlock(blocks->GetNumberOfBlocks(), MakePolyData(rod));
+  }
+  vtkNew<vtkSkdTreeBooleanOperation> filter;
+  filter->SetInputDataObject(blocks);
+  CountInstructions("union of rods", [&] { filter->Update(); });
+}
+
 /// Two fans, at the tips of which all boxes overlap, along an axis that slants.
 Mesh Bicone(int count, double slant)
 {
@@ -348,6 +363,7 @@ int main()
   CountUnionOfBoxes();
   CountUnionOfNoisySpheres();
   CountUnionOfBicones();
+  CountUnionOfRods();
   CountVolume("tetrahedra", Tetrahedra(12));
   CountVolume("hexahedra", Hexahedra(16));
   CountVolume("mixed cells", MixedCells(12));

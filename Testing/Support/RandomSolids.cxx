@@ -187,6 +187,19 @@ RandomSolid MakeRandomSolid(Random& random)
   }
 }
 
+std::vector<Mesh> RandomRods(Random& random, int count, double width)
+{
+  std::vector<Mesh> rods;
+  for (int i = 0; i < count; ++i)
+  {
+    const RandomRotation turned(random, false);
+    const Point middle = random.Between(0.0, 1.0) * random.Direction();
+    rods.push_back(BoxTriangles({ -1.0, -width, -width }, { 1.0, width, width })
+                     .Map([&](const Point& p) { return middle + turned(p); }));
+  }
+  return rods;
+}
+
 RandomRotation::RandomRotation(Random& random, bool byRightAngles)
 {
   this->Rows[0] = random.Direction();

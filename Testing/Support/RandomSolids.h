@@ -28,6 +28,10 @@ RandomSolid MakeRandomSolid(Random& random);
 /// One to 27 cubes of a lattice of halves, or none: no triangles.
 Mesh RandomCubes(Random& random);
 
+/// Boxes two units long through a ball of that width, in any direction: they cross each other, but
+/// hardly where a third one is.
+std::vector<Mesh> RandomRods(Random& random, int count, double width);
+
 /// Adds a mesh to another, with points of its own.
 void Append(Mesh& mesh, const Mesh& other);
 

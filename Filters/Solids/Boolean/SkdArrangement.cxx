@@ -7,6 +7,8 @@
 #include "Pipeline/SkdLoop.h"
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 namespace skdtree
 {
@@ -193,6 +195,20 @@ void Keep(const std::vector<SkdTrianglePair>& pairs, double scale, SkdPairCache&
   cache.Known.Doubtful.reset();
   cache.NumberOfTriangles = 0;
 }
+
+/// Triangles of a set at random, on average one in so many.
+std::vector<std::uint32_t> PickTriangles(const SkdTriangleSet& set, std::size_t oneIn)
+{
+  const std::vector<std::uint32_t>& searched = set.GetSearched();
+  const std::size_t n = searched.empty() ? set.GetTriangles().size() : searched.size();
+  std::minstd_rand random; // the same numbers everywhere
+  std::vector<std::uint32_t> picked;
+  for (std::size_t i = random() % oneIn; i < n; i += 1 + random() % (2 * oneIn - 1))
+  {
+    picked.push_back(searched.empty() ? static_cast<std::uint32_t>(i) : searched[i]);
+  }
+  return picked;
+}
 }
 
 void SkdUpdateDoubtful(const SkdPlacement& placement, vtkAlgorithm* filter, SkdPairCache& cache)
@@ -262,6 +278,35 @@ std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlace
   found.Duplicates.insert(found.Duplicates.end(), copies.begin(), copies.end());
   std::sort(found.Duplicates.begin(), found.Duplicates.end());
   return found;
+}
+
+bool SkdSegmentsMeetOften(
+  const SkdPlacement& placement, std::size_t leastPairs, std::size_t perPair, SkdLoop& loop)
+{
+  constexpr std::size_t enough = 1024; // pairs
+  constexpr std::size_t fewest = 16;   // triangles
+  auto oneIn = static_cast<std::size_t>(std::sqrt(static_cast<double>(leastPairs / enough)));
+  for (oneIn = std::max<std::size_t>(1, oneIn);; oneIn *= 2)
+  {
+    const std::vector<std::uint32_t> picked = PickTriangles(placement.First.GetSet(), oneIn);
+    if (picked.size() < fewest)
+    {
+      return true;
+    }
+    bool areMore = false;
+    SkdPairSearch search;
+    search.Among = &picked;
+    search.Most = 4 * enough;
+    search.AreMore = &areMore;
+    auto pairs = SkdTrianglePairs(placement).FindSelfIntersections(search, loop);
+    if (pairs && !areMore)
+    {
+      SkdTakeDuplicates(placement.First, *pairs);
+      const SkdContactPoints contacts(placement, *pairs);
+      const std::size_t most = perPair * pairs->size() / oneIn;
+      return SkdSplitSegments(placement, *pairs, contacts, most).IsTooMany();
+    }
+  }
 }
 
 std::vector<SkdTrianglePair> SkdFindPairsWithin(SkdTriangleSet& set, const SkdPlacement& placement,

@@ -27,7 +27,8 @@ namespace
 constexpr std::size_t EventsOfPair = 1;
 constexpr std::size_t FewEvents = 5000;
 
-/// As a rule there is that number of pairs for each triangle only where solids overlap deeply.
+/// As a rule there is that number of pairs for each triangle only where solids overlap deeply, but
+/// also where thin ones cross each other.
 constexpr std::size_t PairsOfTriangle = 2;
 
 constexpr skd::RigidMotion NoMotion{ { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } },
@@ -246,13 +247,20 @@ bool SkdSolidArrangement::Arrange(
     ? std::max(FewEvents, PairsOfTriangle * this->Triangles.GetTriangles().size())
     : unlimited;
   auto pairs = this->FindPairs(dense, filter);
+  SkdLoop splitLoop(filter, 0, 0.6, 0.8, 64);
+  const bool areMany = pairs && (pairs->AreSome || pairs->Pairs.size() > dense);
+  const bool isCrowd = areMany &&
+    (this->Spread || SkdSegmentsMeetOften(*this->Placement, dense, EventsOfPair, splitLoop));
+  if (pairs && pairs->AreSome && !isCrowd)
+  {
+    pairs = this->FindPairs(unlimited, filter);
+  }
   if (!pairs)
   {
     return false;
   }
-  SkdLoop splitLoop(filter, 0, 0.6, 0.8, 64);
   std::optional<SkdArrangement> arrangement(SkdArrangement{ {}, {}, 0, 0, true });
-  if (!pairs->AreSome && pairs->Pairs.size() <= dense) // else to look at segments would be in vain
+  if (!isCrowd) // else to look at segments would be in vain
   {
     const std::size_t few = mayCombine ? EventsOfPair * pairs->Pairs.size() + FewEvents : unlimited;
     arrangement = SkdArrange(*this->Placement, *pairs, splitLoop, few, this->Spread != nullptr);
