@@ -101,7 +101,7 @@ TEST(BooleanOperationCrowds, UnionIsThatOfTheArrangementOfAll)
 TEST(BooleanOperationCrowds, ThinSolidsThatCrossAreUnitedAtOnce)
 {
   Random random(14);
-  const std::vector<Mesh> rods = RandomRods(random, 250, 0.02);
+  const std::vector<Mesh> rods = RandomRods(random, 250, 0.005);
   const Result atLeastOne = RunOnBlocks(rods, Filter::AT_LEAST);
   const Result united = RunOnBlocks(rods, Filter::UNION);
   EXPECT_LE(united.NumberSplit, CountTriangles(rods));

@@ -283,8 +283,8 @@ std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlace
 bool SkdSegmentsMeetOften(
   const SkdPlacement& placement, std::size_t leastPairs, std::size_t perPair, SkdLoop& loop)
 {
-  constexpr std::size_t enough = 1024; // pairs
-  constexpr std::size_t fewest = 16;   // triangles
+  constexpr std::size_t enough = 256; // pairs
+  constexpr std::size_t fewest = 16;  // triangles
   auto oneIn = static_cast<std::size_t>(std::sqrt(static_cast<double>(leastPairs / enough)));
   for (oneIn = std::max<std::size_t>(1, oneIn);; oneIn *= 2)
   {

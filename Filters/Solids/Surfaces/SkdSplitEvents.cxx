@@ -19,6 +19,7 @@ struct Piece
   std::uint32_t A;
   std::uint32_t B;
   std::uint32_t Segment;
+  bool IsNew;
   double Min[2];
   double Max[2];
 };
@@ -70,7 +71,7 @@ public:
            ++other)
       {
         if (other->Min[1] <= piece->Max[1] && piece->Min[1] <= other->Max[1] &&
-          other->Segment != piece->Segment)
+          other->Segment != piece->Segment && (piece->IsNew || other->IsNew))
         {
           this->Meet(*piece, *other);
         }
@@ -81,7 +82,7 @@ public:
 private:
   void AddPiece(std::uint32_t a, std::uint32_t b, std::uint32_t segment)
   {
-    Piece piece{ a, b, segment, {}, {} };
+    Piece piece{ a, b, segment, this->Segments.GetSegment(segment).IsNew, {}, {} };
     const double margin = 2.0 * this->Points.GetError();
     for (int i = 0; i < 2; ++i)
     {

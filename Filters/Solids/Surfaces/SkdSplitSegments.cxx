@@ -43,7 +43,10 @@ SkdSplitSegments::SkdSplitSegments(const SkdPlacement& placement,
   this->UniteCorners();
 }
 
-// Returns whether points were added, which may be on further segments.
+// Returns whether points were added along edges, which others of the triangles there do not know
+// of: then the segments that have them are compared again. All else that segments have in common is
+// found when they are first compared; points that are one are united when those along a segment are
+// sorted.
 bool SkdSplitSegments::FindAll()
 {
   const std::vector<SkdSplitEvent> events[2] = { this->FindEvents(0), this->FindEvents(1) };
@@ -52,20 +55,20 @@ bool SkdSplitSegments::FindAll()
   {
     return false;
   }
+  this->MarkAsOld();
+  this->Apply(events[0]);
+  this->Apply(events[1]);
+  this->MarkAsOld();
+  const bool isChanged = this->MeetAtEdges(this->Sides[0]);
+  return this->MeetAtEdges(this->Sides[1]) || isChanged;
+}
+
+void SkdSplitSegments::MarkAsOld()
+{
   for (SkdSplitSegment& segment : this->Segments)
   {
     segment.IsNew = false;
   }
-  bool isChanged = false;
-  for (int side = 0; side < 2; ++side)
-  {
-    isChanged = this->Apply(events[side]) || isChanged;
-  }
-  for (Side& side : this->Sides)
-  {
-    isChanged = this->MeetAtEdges(side) || isChanged;
-  }
-  return isChanged;
 }
 
 //------------------------------------------------------------------------------
@@ -150,7 +153,7 @@ void SkdSplitSegments::AddElementsOf(const PairSegment& of, std::uint32_t segmen
 }
 
 //------------------------------------------------------------------------------
-bool SkdSplitSegments::Apply(const std::vector<SkdSplitEvent>& events)
+void SkdSplitSegments::Apply(const std::vector<SkdSplitEvent>& events)
 {
   std::vector<std::uint32_t> crossings = this->FindFirstCrossings(events); // and then their points
   const SkdSplitEvent* last = nullptr;
@@ -183,7 +186,6 @@ bool SkdSplitSegments::Apply(const std::vector<SkdSplitEvent>& events)
       this->SortBetween(segment);
     }
   }
-  return !events.empty();
 }
 
 std::uint32_t SkdSplitSegments::AddCrossing(const SkdSplitEvent& event)

@@ -137,7 +137,8 @@ private:
   /// along an axis. Once there are more than allowed, others are left out. (SkdSplitEvents.cxx)
   std::vector<SkdSplitEvent> FindEvents(int side) const;
   bool FindAll();
-  bool Apply(const std::vector<SkdSplitEvent>& events);
+  void MarkAsOld();
+  void Apply(const std::vector<SkdSplitEvent>& events);
   std::uint32_t AddCrossing(const SkdSplitEvent& event);
 
   /// Of each event the first one that is surely the same crossing.
