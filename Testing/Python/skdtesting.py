@@ -100,7 +100,8 @@ def run_in_parallel(script, argument, processes=2, listens=False):
         OMPI_MCA_rmaps_base_oversubscribe="1",                    # Open MPI 4
         OMPI_MCA_mpi_yield_when_idle="1", # two processes that wait would keep both cores
         PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",   # Open MPI 5
-        PRTE_MCA_mapby=":oversubscribe")                          # Open MPI 6
+        PRTE_MCA_mapby=":oversubscribe",                          # Open MPI 6
+        LD_PRELOAD=os.environ.get("SKDTREE_SLEEP_WHEN_IDLE", os.environ.get("LD_PRELOAD", "")))
     heard = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True} if listens else {}
     run = subprocess.run(
         ["mpiexec", "-np", str(processes), "pvbatch", "--symmetric", script, argument],
