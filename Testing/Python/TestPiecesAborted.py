@@ -6,7 +6,6 @@ aborted at its first report of progress and at one of the others, which is drawn
 Run without an argument this starts the processes; with the name of a file and partitions it is one
 of them, and writes there the sizes of its outputs."""
 
-import json
 import random
 
 import skdcases
@@ -69,8 +68,7 @@ def write(file, partitions):
                 if "SourceDistribution" in proxy.ListProperties():
                     proxy.SourceDistribution = "Exchange"
             sizes[name] = sizes_of(case, fresh)
-    with open(file, "w", encoding="utf-8") as stream:
-        json.dump(sizes, stream)
+    skdpieces.tell(file, sizes)
 
 
 def check(file, processes, partitions):
@@ -88,4 +86,4 @@ def check(file, processes, partitions):
     assert drawn > len(sizes[0]) // 2, drawn
 
 
-skdpieces.run(__file__, RUNS, "aborted_%d.json", write, check)
+skdpieces.run(__file__, RUNS, "aborted_%d.pickle", write, check)

@@ -4,7 +4,6 @@
 this starts two processes; with the name of a file and partitions it is one of them, and writes there what
 it has found."""
 
-import json
 
 from vtkmodules.vtkCommonDataModel import (vtkMultiBlockDataSet, vtkPartitionedDataSet,
     vtkPartitionedDataSetCollection)
@@ -68,7 +67,7 @@ def answer(name, proxy, port):
     return distances
 
 
-def write(file, partitions):
+def answers_of(partitions):
     found = {}
     for partition in partitions:
         for wrap, function in WRAPS.items():
@@ -82,15 +81,15 @@ def write(file, partitions):
                 for distribution in ("Replicate", "Exchange"):
                     for name, case in filters(inputs, distribution).items():
                         found[f"{name}, {wrapped} as {wrap}, {distribution}"] = answer(name, *case)
-    with open(file, "w", encoding="utf-8") as stream:
-        json.dump(found, stream)
+    return found
+
+
+def write(file, partitions):
+    skdpieces.tell(file, answers_of(partitions))
 
 
 def check(file, processes, partitions):
-    alone = skdtesting.temporary("classes_of_one.json")
-    write(alone, ("one",))
-    with open(alone, encoding="utf-8") as stream:
-        expected = json.load(stream)
+    expected = answers_of(("one",))
     parts = skdpieces.told(file, processes)
     for title, answer_of_one in expected.items():
         assert answer_of_one, title
@@ -101,4 +100,4 @@ def check(file, processes, partitions):
             assert sum(answers) == answer_of_one, (title, answers, answer_of_one)
 
 
-skdpieces.run(__file__, RUNS, "classes_%d.json", write, check)
+skdpieces.run(__file__, RUNS, "classes_%d.pickle", write, check)

@@ -35,6 +35,7 @@ KINDS = ("curves", "overlaps", "pairs", "gaps")
 SPLIT = 2 # beside segments joined (1) or not (0)
 SPLIT_KINDS = ("pieces", "pieces of the other")
 NUMBER = "Number"
+ALONE = {} # what one process has, whatever the partition: by the name of meshes and what is done
 
 
 def joined(*meshes):
@@ -212,29 +213,32 @@ def outputs(proxy):
         for name in ("Curves", "Overlaps", "Pairs")]])
 
 
-def write(file, partitions):
+def found_in(input, other, joins, clearance):
     from paraview import simple
 
-    found, alone = {}, {}
+    proxy = simple.SkdTreeSurfaceIntersection(Input=input, Source=other,
+        JoinCurves=int(joins == 1), Clearance=clearance, SplitSurfaces=int(joins == SPLIT),
+        SourceDistribution="Exchange" if joins else "Replicate")
+    return dict(pieces(proxy) if joins == SPLIT else outputs(proxy))
+
+
+def answers_of(partitions):
+    """What is found in each case, and which cells its meshes have here."""
+    found = {}
     for partition in partitions:
         for name, first, second, clearance in meshes(partition):
             input, found[f"{partition}, {name}; first"] = source(first, partition)
             other, found[f"{partition}, {name}; second"] = source(second, partition)
             for joins in (1, 0, SPLIT)[:3 if name in WITH_PIECES else 2]:
-                if (name, joins) in alone: # the same in one process
-                    found.update({f"{partition}, {name}; {joins}; {what}": values
-                        for what, values in alone[name, joins]})
-                    continue
-                proxy = simple.SkdTreeSurfaceIntersection(Input=input, Source=other,
-                    JoinCurves=int(joins == 1), Clearance=clearance,
-                    SplitSurfaces=int(joins == SPLIT),
-                    SourceDistribution="Exchange" if joins else "Replicate")
-                all_outputs = list(pieces(proxy) if joins == SPLIT else outputs(proxy))
-                found.update({f"{partition}, {name}; {joins}; {what}": values
-                    for what, values in all_outputs})
+                title = f"{partition}, {name}; {joins}"
+                found[title] = ALONE.get((name, joins)) or found_in(input, other, joins, clearance)
                 if skdpieces.process()[1] == 1:
-                    alone[name, joins] = all_outputs
-    numpy.savez(file, **found)
+                    ALONE[name, joins] = found[title]
+    return found
+
+
+def write(file, partitions):
+    skdpieces.tell(file, answers_of(partitions))
 
 
 def numbers_of(ids, parts, key, partition):
@@ -257,9 +261,8 @@ def cells_of(parts, case, joins, partition, labels):
     """All cells and rows, each as bytes, in order: whoever outputs them."""
     found = {}
     for part in parts:
-        begin = f"{case}; {joins}; "
-        own = {name[len(begin):]: label(name, values, parts, case, partition)
-            for name, values in part.items() if name.startswith(begin)}
+        own = {name: label(name, values, parts, case, partition)
+            for name, values in part[f"{case}; {joins}"].items()}
         if not labels:
             own = {name: values for name, values in own.items()
                 if not name.endswith("CellId") or name.startswith(("pairs", "overlaps", "gaps"))}
@@ -270,15 +273,12 @@ def cells_of(parts, case, joins, partition, labels):
             before = 0
             for cells in ("Verts", "Lines", "Polys"):
                 sizes = own.get(f"{kind}, {cells}", ())
-                ends = numpy.cumsum(sizes, dtype=int)
                 of_points = [values for name, values in sorted(own.items())
                     if name.startswith(f"{kind}, {cells} ")]
-                of_cells = [values for name, values in sorted(own.items())
+                of_cells = [values[before:before + len(sizes)] for name, values in sorted(own.items())
                     if name.startswith(f"{kind}, cell ")]
                 found.setdefault(f"{kind}, {cells}", []).extend(
-                    b"".join([values[end - size:end].tobytes() for values in of_points]
-                        + [values[before + i].tobytes() for values in of_cells])
-                    for i, (size, end) in enumerate(zip(sizes, ends)))
+                    skdexchange.cells_as_bytes(sizes, of_points, of_cells))
                 before += len(sizes)
     return {name: sorted(cells) for name, cells in found.items()}
 
@@ -286,22 +286,19 @@ def cells_of(parts, case, joins, partition, labels):
 def counts_of(parts, case, joins):
     """Of all processes, but each one's where each has found all."""
     is_gathered = joins == SPLIT or case.endswith(GATHERED)
-    counts = [part[f"{case}; {joins}; report"] for part in parts]
+    counts = [part[f"{case}; {joins}"]["report"] for part in parts]
     return numpy.max(counts, axis=0) if is_gathered else sum(counts)
 
 
 def check(file, processes, partitions):
-    whole = skdtesting.temporary("curves_of_one.npz")
-    write(whole, partitions)
-    alone = [dict(numpy.load(whole))]
-    parts = [dict(numpy.load(file % rank)) for rank in range(processes)]
+    alone, parts = [answers_of(partitions)], skdpieces.told(file, processes)
     cases = [name[:-len("; first")] for name in alone[0] if name.endswith("; first")]
     different, some = [], set()
     for case in cases:
         partition = next(each for each in partitions if case.startswith(each + ", ")
             and not any(len(other) > len(each) and case.startswith(other + ", ")
                 for other in partitions))
-        for joins in (0, 1, SPLIT)[:3 if f"{case}; {SPLIT}; report" in alone[0] else 2]:
+        for joins in (0, 1, SPLIT)[:3 if f"{case}; {SPLIT}" in alone[0] else 2]:
             for labels in (False, True)[: 2 if partition in IN_ORDER else 1]:
                 first = cells_of(alone, case, joins, partition, labels)
                 second = cells_of(parts, case, joins, partition, labels)
@@ -319,4 +316,4 @@ def check(file, processes, partitions):
     assert not different, "\n".join(different)
 
 
-skdpieces.run(__file__, RUNS, "curves_%d.npz", write, check)
+skdpieces.run(__file__, RUNS, "curves_%d.pickle", write, check)

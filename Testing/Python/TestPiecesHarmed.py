@@ -6,7 +6,6 @@ ones before. What is wrong with the whole gives as many cells on four processes 
 an argument this starts the processes; with the name of a file and partitions it is one of them, and
 writes there what it has found."""
 
-import json
 import re
 
 import numpy
@@ -18,7 +17,6 @@ from vtkmodules.vtkCommonDataModel import (VTK_LINE, VTK_POLYGON, VTK_QUAD, VTK_
 import skdcases
 import skdexchange
 import skdpieces
-import skdtesting
 
 RUNS = {4: ("cuts",)}
 # Cases in pieces and gathered, with all that may be wrong; any of skdcases.py may be here.
@@ -205,7 +203,7 @@ def update(case):
     return [re.sub(r"\(0x\w+\)", "", message).strip() for message in messages if message.strip()], sizes
 
 
-def write(file, partitions):
+def answers_of(partitions):
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF) # messages are what is looked at
     found = {}
     for partition in partitions:
@@ -223,8 +221,11 @@ def write(file, partitions):
                     bad = update(case)
                     give(made, good)
                     found[f"{name}, {harm}"] = *bad, *update(case)
-    with open(file, "w", encoding="utf-8") as stream:
-        json.dump(found, stream)
+    return found
+
+
+def write(file, partitions):
+    skdpieces.tell(file, answers_of(partitions))
 
 
 def key_of(message):
@@ -237,10 +238,7 @@ def sum_of(sizes):
 
 
 def check(file, processes, partitions):
-    whole = skdtesting.temporary("harmed_of_one.json")
-    write(whole, partitions)
-    with open(whole, encoding="utf-8") as stream:
-        of_one_process = json.load(stream)
+    of_one_process = answers_of(partitions)
     parts = skdpieces.told(file, processes)
     errors = dict.fromkeys(HARMS, 0)
     for title in parts[0]:
@@ -260,4 +258,4 @@ def check(file, processes, partitions):
         assert errors[harm] > len(CASES) // 2, errors
 
 
-skdpieces.run(__file__, RUNS, "harmed_%d.json", write, check)
+skdpieces.run(__file__, RUNS, "harmed_%d.pickle", write, check)

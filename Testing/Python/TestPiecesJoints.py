@@ -14,7 +14,6 @@ from vtkmodules.vtkCommonDataModel import (VTK_LINE, VTK_POLY_LINE, VTK_QUADRATI
 
 import skdexchange
 import skdpieces
-import skdtesting
 
 RUNS = {
     2: ("everywhere", "cuts, ghosts"),
@@ -111,7 +110,7 @@ def numbers_of(piece, side):
     return numbers[vtk_to_numpy(ghosts) == 0] if ghosts else numbers
 
 
-def outputs(proxy, title):
+def outputs(proxy):
     """The points of each cell and all arrays of lists, and how often each cell of the Input is hit."""
     proxy.UpdatePipeline()
     algorithm = proxy.GetClientSideObject()
@@ -119,26 +118,26 @@ def outputs(proxy, title):
         data = algorithm.GetOutputDataObject(port)
         cells = data.GetLines() if port else data.GetVerts()
         ids = vtk_to_numpy(cells.GetConnectivityArray())
-        yield f"{title}; {name}; sizes", numpy.diff(vtk_to_numpy(cells.GetOffsetsArray()))
+        yield f"{name}; sizes", numpy.diff(vtk_to_numpy(cells.GetOffsetsArray()))
         if len(ids):
-            yield f"{title}; {name}; of points", vtk_to_numpy(data.GetPoints().GetData())[ids]
+            yield f"{name}; of points", vtk_to_numpy(data.GetPoints().GetData())[ids]
             for array, values in skdexchange.arrays_of(data.GetPointData(), ""):
-                yield f"{title}; {name}; of points {array}", values[ids]
+                yield f"{name}; of points {array}", values[ids]
         for array, values in skdexchange.arrays_of(data.GetCellData(), ""):
-            yield f"{title}; {name}; of cells {array}", values
+            yield f"{name}; of cells {array}", values
     for block, leaf in enumerate(skdexchange.leaves(algorithm.GetOutputDataObject(2))):
         array = leaf.GetCellData().GetArray("SkdNumberOfHits") if leaf else None
         if array:
             ghosts = leaf.GetCellData().GetArray(vtkDataSetAttributes.GhostArrayName())
             own = vtk_to_numpy(ghosts) == 0 if ghosts else slice(None)
-            yield f"{title}; counts; {block}", numpy.stack(
+            yield f"counts; {block}", numpy.stack(
                 [numbers_of(leaf, 0), vtk_to_numpy(array)[own]], axis=1)
-    yield f"{title}; report", numpy.array([skdexchange.report_of(proxy, name)
+    yield "report", numpy.array([skdexchange.report_of(proxy, name)
         for name in ("Curves", "CurvePieces", "Hits")])
 
 
 def found_in(input, source, title):
-    """What the filter finds, asked in several ways."""
+    """What the filter finds, by the ways in which it is asked."""
     from paraview import simple
 
     sides = [skdpieces.producer(as_blocks(*side)) for side in (input, source)]
@@ -147,7 +146,7 @@ def found_in(input, source, title):
             "PolylineForm": "Cardinal Spline"}), ("cut", {"CutCurves": 1})):
             proxy = simple.SkdTreeCurveSurfaceIntersection(
                 Input=sides[0], Source=sides[1], SourceDistribution=distribution, **asked)
-            yield from outputs(proxy, f"{title}; {name}, {distribution}")
+            yield f"{title}; {name}, {distribution}", dict(outputs(proxy))
 
 
 def write(file, partitions):
@@ -161,7 +160,7 @@ def write(file, partitions):
                 for block, mesh in enumerate(blocks):
                     found[f"{title}; numbers; {side} {block}"] = numbers_of(mesh, side)
             found.update(found_in(*pieces, title))
-    numpy.savez(file, **found)
+    skdpieces.tell(file, found)
 
 
 def alone(parts, partitions):
@@ -183,38 +182,36 @@ def alone(parts, partitions):
     return found
 
 
-def rows(found, begin):
+def rows(found, port):
     """The rows of a list, each as bytes, in order: whoever outputs them."""
-    sizes = found.get(begin + "; sizes", ())
-    ends = numpy.cumsum(sizes, dtype=int)
-    of_points = [values for name, values in sorted(found.items()) if name.startswith(begin + "; of points")]
-    of_cells = [values for name, values in sorted(found.items()) if name.startswith(begin + "; of cells")]
-    return [b"".join([values[end - size:end].tobytes() for values in of_points]
-        + [values[i].tobytes() for values in of_cells]) for i, (size, end) in enumerate(zip(sizes, ends))]
+    of_points, of_cells = ([values for name, values in sorted(found.items())
+        if name.startswith(f"{port}; of {kind}")] for kind in ("points", "cells"))
+    return skdexchange.cells_as_bytes(found[port + "; sizes"], of_points, of_cells)
 
 
 def check(file, processes, partitions):
-    parts = [dict(numpy.load(file % rank)) for rank in range(processes)]
+    parts = skdpieces.told(file, processes)
     whole = alone(parts, partitions)
     different, some = [], set()
-    for title in [name[:-len("; report")] for name in whole if name.endswith("; report")]:
+    for title, expected in whole.items():
+        own = [part[title] for part in parts]
         for port in PORTS:
-            first = sorted(rows(whole, f"{title}; {port}"))
-            second = sorted(sum((rows(part, f"{title}; {port}") for part in parts), []))
+            first = sorted(rows(expected, port))
+            second = sorted(sum((rows(part, port) for part in own), []))
             some.update([port] if first else [])
             if first != second:
                 different.append(f"{processes}; {title}; {port}: {len(first)}, {len(second)}, "
                     f"{len(set(first) & set(second))}")
-        reports = whole[title + "; report"], sum(part[title + "; report"] for part in parts)
+        reports = expected["report"], sum(part["report"] for part in own)
         if (reports[0] != reports[1]).any():
             different.append(f"{processes}; {title}: {reports}")
-        for name in [name for name in whole if name.startswith(title + "; counts")]:
-            told = numpy.vstack([part[name] for part in parts if name in part])
+        for name in [name for name in expected if name.startswith("counts")]:
+            told = numpy.vstack([part[name] for part in own if name in part])
             if not numpy.array_equal(
-                numpy.unique(told, axis=0), whole[name][numpy.argsort(whole[name][:, 0])]):
-                different.append(f"{processes}; {name}")
+                numpy.unique(told, axis=0), expected[name][numpy.argsort(expected[name][:, 0])]):
+                different.append(f"{processes}; {title}; {name}")
     assert some == set(PORTS), some
     assert not different, "\n".join(different)
 
 
-skdpieces.run(__file__, RUNS, "joints_%d.npz", write, check)
+skdpieces.run(__file__, RUNS, "joints_%d.pickle", write, check)

@@ -71,6 +71,22 @@ def everything(proxy):
     return found
 
 
+def cells_as_bytes(sizes, of_points, of_cells):
+    """Each cell as bytes: its rows of arrays that have one for each point of each cell, of which
+    `sizes` tells how many there are, and of arrays that have one for each cell."""
+    last, own = numpy.cumsum(sizes, dtype=int), numpy.arange(1, len(sizes) + 1)
+    columns = [[b""] * len(sizes)]
+    columns += [cut(values, last - sizes, last) for values in of_points]
+    columns += [cut(values, own - 1, own) for values in of_cells]
+    return [b"".join(column) for column in zip(*columns)]
+
+
+def cut(values, first, last):
+    """The bytes of rows of an array, from each of the first to before each of the last."""
+    width, content = values[:1].nbytes, values.tobytes()
+    return [content[begin:end] for begin, end in zip((first * width).tolist(), (last * width).tolist())]
+
+
 def is_same(first, second):
     return first.shape == second.shape and first.dtype == second.dtype and numpy.array_equal(
         first, second, equal_nan=first.dtype.kind == "f")
