@@ -4,7 +4,6 @@
 this starts two processes; with the name of a file and partitions it is one of them, and writes there what
 it has found."""
 
-
 from vtkmodules.vtkCommonDataModel import (vtkMultiBlockDataSet, vtkPartitionedDataSet,
     vtkPartitionedDataSetCollection)
 
