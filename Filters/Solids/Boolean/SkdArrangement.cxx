@@ -285,7 +285,7 @@ bool SkdSegmentsMeetOften(
 {
   constexpr std::size_t enough = 256; // pairs
   constexpr std::size_t fewest = 16;  // triangles
-  auto oneIn = static_cast<std::size_t>(std::sqrt(static_cast<double>(leastPairs / enough)));
+  auto oneIn = static_cast<std::size_t>(std::sqrt(static_cast<double>(leastPairs) / enough));
   for (oneIn = std::max<std::size_t>(1, oneIn);; oneIn *= 2)
   {
     const std::vector<std::uint32_t> picked = PickTriangles(placement.First.GetSet(), oneIn);
