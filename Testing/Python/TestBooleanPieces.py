@@ -5,8 +5,6 @@ together are to the last bit what one process makes of the whole, with the same 
 Run without an argument this starts the processes; with the name of a file and partitions it is one of
 them, and writes there its part."""
 
-import functools
-
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -154,21 +152,9 @@ def check(whole, parts):
             check_same(name, parts)
 
 
-@functools.cache
-def alone(partition):
-    """The answers of one process, which has the whole mesh however it would lie in pieces."""
-    found = answers_of((partition,))
-    found.pop(DIFFERENT)
-    return {name[len(partition):]: answer for name, answer in found.items()}
-
-
 def check_pieces(file, processes, partitions):
-    whole = {}
-    for partition in partitions:
-        answers = alone(partition if partition.endswith("global ids") else "cuts")
-        whole.update((partition + name, answer) for name, answer in answers.items())
     print(processes, partitions)
-    check(whole, skdpieces.told(file, processes))
+    check(skdpieces.whole(answers_of, partitions), skdpieces.told(file, processes))
 
 
 if __name__ == "__main__":

@@ -6,8 +6,6 @@ each way in which the pieces may lie. Run without an argument this starts the pr
 name of a file and partitions it is one of them, and writes there its part of the answers, and what
 differs."""
 
-import functools
-
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -85,22 +83,9 @@ def check(whole, parts):
         numpy.testing.assert_allclose(first, second, rtol=1e-12, atol=1e-12, err_msg=name)
 
 
-@functools.cache
-def alone(partition):
-    """The answers of one process, which has the whole mesh however it would lie in pieces."""
-    found = answers_of((partition,))
-    found.pop(DIFFERENT)
-    return {name[len(partition):]: table for name, table in found.items()}
-
-
 def check_pieces(file, processes, partitions):
-    whole = {}
-    for partition in partitions:
-        if partition != ONLY_EXCHANGED:
-            has_own = partition == "one reader" or partition.endswith("global ids")
-            answers = alone(partition if has_own else "cuts")
-            whole.update((partition + name, table) for name, table in answers.items())
-    check(whole, skdpieces.told(file, processes))
+    compared = [partition for partition in partitions if partition != ONLY_EXCHANGED]
+    check(skdpieces.whole(answers_of, compared, ("one reader",)), skdpieces.told(file, processes))
 
 
 skdpieces.run(__file__, RUNS, "pieces_%d.pickle", write, check_pieces)

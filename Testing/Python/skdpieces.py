@@ -3,6 +3,7 @@
 """Meshes that lie in pieces on several processes, as a simulation leaves them: their source gives
 each process its own piece, whatever piece the pipeline asks for. In one process it gives all."""
 
+import functools
 import os
 import pickle
 import shutil
@@ -227,6 +228,20 @@ def run(script, runs, name, write, check):
             skdtesting.run_in_parallel(
                 os.path.abspath(script), "|".join((file, *partitions)), processes)
             check(file, processes, partitions)
+
+
+@functools.cache
+def alone(answers_of, partition):
+    """What answers_of() a partition are in one process, by what follows its name in their titles."""
+    return {title[len(partition):]: answer for title, answer in answers_of((partition,)).items()
+        if title.startswith(partition)}
+
+
+def whole(answers_of, partitions, with_own=()):
+    """The answers of one process, which has the whole mesh however it would lie in pieces: those of one
+    partition serve for all but these, and those with global ids."""
+    return {partition + title: answer for partition in partitions for title, answer in alone(answers_of,
+        partition if partition in with_own or partition.endswith("global ids") else "cuts").items()}
 
 
 def tell(file, found):

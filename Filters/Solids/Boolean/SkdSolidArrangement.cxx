@@ -246,14 +246,14 @@ bool SkdSolidArrangement::Arrange(
   const std::size_t dense = mayCombine
     ? std::max(FewEvents, PairsOfTriangle * this->Triangles.GetTriangles().size())
     : unlimited;
-  auto pairs = this->FindPairs(dense, filter);
   SkdLoop splitLoop(filter, 0, 0.6, 0.8, 64);
-  const bool areMany = pairs && (pairs->AreSome || pairs->Pairs.size() > dense);
-  const bool isCrowd = areMany &&
-    (this->Spread || SkdSegmentsMeetOften(*this->Placement, dense, EventsOfPair, splitLoop));
-  if (pairs && pairs->AreSome && !isCrowd)
+  bool isCrowd = false;
+  auto pairs = this->FindPairs(dense, filter);
+  if (pairs && (pairs->AreSome || pairs->Pairs.size() > dense))
   {
-    pairs = this->FindPairs(unlimited, filter);
+    isCrowd =
+      this->Spread || SkdSegmentsMeetOften(*this->Placement, dense, EventsOfPair, splitLoop);
+    pairs = pairs->AreSome && !isCrowd ? this->FindPairs(unlimited, filter) : std::move(pairs);
   }
   if (!pairs)
   {
