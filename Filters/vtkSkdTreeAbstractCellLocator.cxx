@@ -81,19 +81,21 @@ void vtkSkdTreeAbstractCellLocator::BuildLocator()
 }
 
 //------------------------------------------------------------------------------
-// More than queries ask for: whether arrays were modified of which the data set does not know.
+// More than queries ask for: whether any array was modified, also such that the data set does not
+// know of.
 bool vtkSkdTreeAbstractCellLocator::HasValidTree()
 {
   if (this->Impl->AreForeignPointsModified())
   {
     return false;
   }
+  const bool isNewer = this->IsNewerThanData(this->BuildTime) &&
+    (!this->DataSet || this->BuildTime > this->DataSet->GetMTime());
   if (!this->Impl->GetTree() || !this->Impl->HasSnapshot())
   {
-    return this->Impl->GetTree() && this->IsNewerThanData();
+    return this->Impl->GetTree() && isNewer;
   }
-  return (this->UseExistingSearchStructure || this->IsNewerThanData()) &&
-    this->Impl->IsBuiltOn(this->DataSet);
+  return (this->UseExistingSearchStructure || isNewer) && this->Impl->IsBuiltOn(this->DataSet);
 }
 
 //------------------------------------------------------------------------------
@@ -107,17 +109,15 @@ bool vtkSkdTreeAbstractCellLocator::IsUpToDate()
   if (this->UseExistingSearchStructure)
   {
     const vtkMTimeType checked = this->Impl->GetCheckTime();
-    return checked == 0 || !this->DataSet ||
-      (checked > this->MTime && checked > this->DataSet->GetMTime());
+    return checked == 0 || !this->DataSet || this->IsNewerThanData(checked);
   }
-  return this->IsNewerThanData();
+  return this->IsNewerThanData(this->BuildTime);
 }
 
 //------------------------------------------------------------------------------
-bool vtkSkdTreeAbstractCellLocator::IsNewerThanData()
+bool vtkSkdTreeAbstractCellLocator::IsNewerThanData(vtkMTimeType time)
 {
-  return this->BuildTime > this->MTime &&
-    (!this->DataSet || this->BuildTime > this->DataSet->GetMTime());
+  return time > this->MTime && (!this->DataSet || time > this->Impl->TimeOf(this->DataSet));
 }
 
 //------------------------------------------------------------------------------

@@ -180,9 +180,10 @@ public:
    * there is no tree, or if the points or cells are others than those of the tree, or were modified
    * in place: changes of data arrays and settings, and data sets with equal points and cells, are
    * served by the existing tree. ForceBuildLocator always builds; with UseExistingSearchStructure
-   * on, queries after it use the tree unchecked until the next BuildLocator. Queries notice what
-   * BuildLocator does, but for arrays of cells whose data set was not Modified(). To notice
-   * changes, the locator holds references to the arrays of points and cells.
+   * on, queries after it use the tree unchecked until the next BuildLocator. Queries notice when
+   * the data set, its points, its cells or its ghosts were Modified(), or arrays of data were added
+   * or removed; BuildLocator also notices modified values of any array. To notice changes, the
+   * locator holds references to the arrays of points and cells.
    */
   void BuildLocator() override;
   void ForceBuildLocator() VTK_SKD_OVERRIDE_SINCE_92;
@@ -254,7 +255,7 @@ private:
 
   bool HasValidTree();
   bool IsUpToDate();
-  bool IsNewerThanData();
+  bool IsNewerThanData(vtkMTimeType time);
   bool HasTreeOf(vtkDataSet* data);
   void CacheBounds();
 };

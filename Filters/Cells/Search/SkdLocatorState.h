@@ -5,6 +5,7 @@
 
 #include "Cells/Read/SkdCellReader.h"
 #include "Cells/Read/SkdMeshSnapshot.h"
+#include "Cells/Read/SkdMeshTime.h"
 #include "Cells/Search/SkdCellTree.h"
 
 #include "vtkDataSet.h"
@@ -79,6 +80,7 @@ public:
   {
     this->Snapshot = nullptr;
     this->CheckTime = 0;
+    this->MeshTime.Watch(nullptr);
     this->SetForeign(nullptr);
   }
   void KeepAs(const SkdLocatorState& other)
@@ -89,18 +91,14 @@ public:
   /// From now on the tree is used for this mesh, with equal points, perhaps another's.
   void Watch(vtkDataSet* mesh)
   {
+    this->MeshTime.Watch(mesh);
     this->SetForeign(this->Tree ? this->Tree->Cells().PointsOfAnother(mesh) : nullptr);
   }
   /// Whether the other mesh, whose points the tree reads, has changed them. Thread-safe, also while
   /// another thread frees the tree.
   bool AreForeignPointsModified() const
   {
-    if (!this->HasForeign.load(std::memory_order_relaxed))
-    {
-      return false;
-    }
-    const std::lock_guard<std::mutex> lock(this->WatchingForeign);
-    return this->Foreign && this->Foreign->GetMTime() > this->CheckTime;
+    return this->HasForeign.load(std::memory_order_relaxed) && this->IsForeignModified();
   }
   bool HasSnapshot() const { return this->Snapshot != nullptr; }
   bool IsBuiltOn(vtkDataSet* mesh) const
@@ -108,6 +106,8 @@ public:
     return this->Snapshot && mesh && this->Snapshot->IsSameAs(mesh);
   }
   vtkMTimeType GetCheckTime() const { return this->CheckTime; }
+  /// When the mesh was last modified, as queries ask for it.
+  vtkMTimeType TimeOf(vtkDataSet* mesh) const { return this->MeshTime.Of(mesh); }
   ///@}
 
   skd::Vector3 ToTree(const double x[3]) const
@@ -160,6 +160,11 @@ public:
   }
 
 private:
+  SKD_NOINLINE bool IsForeignModified() const
+  {
+    const std::lock_guard<std::mutex> lock(this->WatchingForeign);
+    return this->Foreign && this->Foreign->GetMTime() > this->CheckTime;
+  }
   void SetForeign(vtkPoints* points)
   {
     const std::lock_guard<std::mutex> lock(this->WatchingForeign);
@@ -171,6 +176,7 @@ private:
   std::atomic<const SkdCellTree*> Ready{ nullptr };
   std::shared_ptr<const SkdMeshSnapshot> Snapshot; // shared with shallow copies
   std::atomic<vtkMTimeType> CheckTime{ 0 };
+  SkdMeshTime MeshTime;
   mutable std::mutex WatchingForeign;
   vtkSmartPointer<vtkPoints> Foreign;
   std::atomic<bool> HasForeign{ false };
