@@ -131,6 +131,17 @@ TEST_P(KeptTree, GoesWhenGhostMarksChange)
   EXPECT_EQ(this->BuiltFor(next), 1);
 }
 
+TEST_P(KeptTree, GoesWhenGhostMarksChangeInPlaceAndOnlyTheMeshIsTold)
+{
+  DataSetPointer next = Copy(this->Source, true);
+  MarkGhosts(next, { 1 }, vtkDataSetAttributes::DUPLICATECELL);
+  EXPECT_EQ(this->BuiltFor(next), 1);
+  next->GetCellGhostArray()->SetValue(1, 0);
+  next->Modified();
+  EXPECT_EQ(RunTreesBuilt(this->Filter), 1);
+  EXPECT_EQ(RunDistances(this->Filter), this->Before);
+}
+
 TEST_P(KeptTree, GoesWhenEpsilonChanges)
 {
   this->Filter->SetEpsilon(1e-6);
@@ -143,6 +154,25 @@ TEST_P(KeptTree, GoesForAnotherMesh)
   EXPECT_NE(RunDistances(this->Filter), this->Before);
   EXPECT_EQ(this->BuiltFor(this->Source), 1);
   EXPECT_EQ(RunDistances(this->Filter), this->Before);
+}
+
+TEST(KeptTrees, GoWhenPointsMoveInPlaceAndOnlyTheMeshIsTold)
+{
+  for (const int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    auto source = MakePolyData(SphereTriangles(4), type);
+    FilterPointer filter = MakeFilter(MakeQueries({ { 0, 0, 3 } }), source);
+    EXPECT_NEAR(RunDistances(filter)[0], 2.0, 1e-6);
+    for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i)
+    {
+      Point p;
+      source->GetPoint(i, p.data());
+      // What is farthest becomes nearest: nothing else would be found by the boxes of before.
+      source->GetPoints()->SetPoint(i, p[0], p[1], p[2] < -0.9 ? 2.5 : p[2]);
+    }
+    source->Modified();
+    EXPECT_NEAR(RunDistances(filter)[0], 0.5, 1e-6);
+  }
 }
 
 TEST(KeptTrees, GoWhenPointsMoveInTheirOldArrayOrANewOne)

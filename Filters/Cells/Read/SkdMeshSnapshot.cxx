@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Read/SkdMeshSnapshot.h"
 
+#include "Cells/Read/SkdMeshChecksum.h"
+
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -209,12 +211,17 @@ void CopyShaping(vtkDataSetAttributes* from, vtkDataSetAttributes* to)
 }
 }
 
-void SkdMeshSnapshot::Keep(vtkDataSet* mesh)
+void SkdMeshSnapshot::Keep(vtkDataSet* mesh, bool watchesValues)
 {
   this->Mesh.TakeReference(mesh->NewInstance());
   this->Mesh->CopyStructure(mesh);
   CopyShaping(mesh->GetCellData(), this->Mesh->GetCellData());
   CopyShaping(mesh->GetPointData(), this->Mesh->GetPointData());
+  this->Checksum.reset();
+  if (watchesValues)
+  {
+    this->Checksum = SkdMeshChecksum(mesh);
+  }
   vtkTimeStamp now;
   now.Modified();
   this->Time = now.GetMTime();
@@ -223,9 +230,12 @@ void SkdMeshSnapshot::Keep(vtkDataSet* mesh)
 bool SkdMeshSnapshot::IsSameAs(vtkDataSet* mesh) const
 {
   const Comparison comparison(this->Time);
-  return this->Mesh && std::strcmp(this->Mesh->GetClassName(), mesh->GetClassName()) == 0 &&
+  const bool isSame = this->Mesh &&
+    std::strcmp(this->Mesh->GetClassName(), mesh->GetClassName()) == 0 &&
     comparison.SameShaping(this->Mesh->GetCellData(), mesh->GetCellData()) &&
     comparison.SameShaping(this->Mesh->GetPointData(), mesh->GetPointData()) &&
     comparison.SameStructure(this->Mesh, mesh);
+  const bool isWatched = this->Checksum && mesh->GetMTime() > this->Time;
+  return isSame && (!isWatched || SkdMeshChecksum(mesh) == *this->Checksum);
 }
 }

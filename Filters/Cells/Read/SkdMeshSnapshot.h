@@ -17,18 +17,24 @@
 #include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
 
+#include <cstddef>
+#include <optional>
+
 namespace skdtree
 {
 class SkdMeshSnapshot
 {
 public:
-  /// Stores the structure of `mesh`, by reference, without its other data.
-  void Keep(vtkDataSet* mesh);
+  /// Stores the structure of `mesh`, by reference, without its other data. `watchesValues`: with a
+  /// checksum, by which values are noticed that were changed in place without Modified() of their
+  /// array.
+  void Keep(vtkDataSet* mesh, bool watchesValues = true);
 
   /// Whether `mesh` has the stored structure: the same arrays, not modified since, or others with
-  /// equal values. O(n) if values must be compared. Conservative: false for unknown types of data
-  /// sets, for polyhedra in new arrays, and when a stored array was modified by whoever shares it,
-  /// because what it held is not known any more.
+  /// equal values. O(n) if values must be compared, as where values are watched and the data set
+  /// was Modified() since. Conservative: false for unknown types of data sets, for polyhedra in new
+  /// arrays, and when a stored array was modified by whoever shares it, because what it held is not
+  /// known any more.
   bool IsSameAs(vtkDataSet* mesh) const;
 
   /// A data set of the type of the original with its structure alone; nullptr before Keep(). It
@@ -38,6 +44,7 @@ public:
 private:
   vtkSmartPointer<vtkDataSet> Mesh;
   vtkMTimeType Time = 0;
+  std::optional<std::size_t> Checksum;
 };
 }
 
