@@ -48,12 +48,36 @@ vtkSmartPointer<vtkUnstructuredGrid> AsUnstructured(vtkExplicitStructuredGrid* e
   return grid;
 }
 
+/// The mesh, but cells that are refined elsewhere (AMR) are hidden: VTK takes them for those of
+/// another piece, behind whose faces the body goes on, so that it would be open there.
+vtkSmartPointer<vtkDataSet> WithoutRefined(vtkDataSet* mesh)
+{
+  constexpr unsigned char refined = vtkDataSetAttributes::REFINEDCELL;
+  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  const auto isRefined = [](unsigned char mark) { return (mark & refined) != 0; };
+  const auto begin = ghosts ? ghosts->Begin() : nullptr;
+  const auto end = ghosts ? ghosts->End() : nullptr;
+  if (std::none_of(begin, end, isRefined))
+  {
+    return mesh;
+  }
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->DeepCopy(ghosts);
+  std::replace_if(marks->Begin(), marks->End(), isRefined,
+    static_cast<unsigned char>(vtkDataSetAttributes::HIDDENCELL));
+  const auto copy = vtkSmartPointer<vtkDataSet>::Take(mesh->NewInstance());
+  copy->ShallowCopy(mesh);
+  copy->GetCellData()->AddArray(marks);
+  return copy;
+}
+
 /// For linear cells only: with other cells, VTK 9.2 confuses face and cell numbers.
 vtkSmartPointer<vtkPolyData> LinearSurfaceOf(vtkDataSet* mesh)
 {
-  auto explicitGrid = vtkExplicitStructuredGrid::SafeDownCast(mesh);
+  const vtkSmartPointer<vtkDataSet> shown = WithoutRefined(mesh);
+  auto explicitGrid = vtkExplicitStructuredGrid::SafeDownCast(shown);
   vtkNew<vtkDataSetSurfaceFilter> filter;
-  filter->SetInputData(mesh);
+  filter->SetInputData(shown);
   if (explicitGrid)
   {
     filter->SetInputData(AsUnstructured(explicitGrid));

@@ -7,6 +7,7 @@
 #include "Support/EventCounter.h"
 #include "Support/Folders.h"
 #include "Support/NamedMeshes.h"
+#include "Support/StructuredMeshes.h"
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
 #include "Support/WindingReference.h"
@@ -15,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <map>
 
 using namespace skdtest;
@@ -234,25 +236,46 @@ TEST(ClosestPointSigned, OfGridsWithHolesAndGhostsItIsThatToWhatIsLeft)
   }
 }
 
+/// Centres of cells are outside where the cell is not shown, and inside elsewhere.
+void ExpectOutsideUnlessShown(vtkDataSet* mesh, const std::function<bool(vtkIdType)>& isShown)
+{
+  std::vector<Point> points;
+  for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); ++id)
+  {
+    Bounds box;
+    mesh->GetCellBounds(id, box.data());
+    points.push_back(Center(box));
+  }
+  const std::vector<double> distances = RunDistances(MakeSignedFilter(MakeQueries(points), mesh));
+  int outside = 0;
+  for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); ++id)
+  {
+    EXPECT_EQ(distances[static_cast<std::size_t>(id)] > 0, !isShown(id)) << id;
+    outside += distances[static_cast<std::size_t>(id)] > 0 ? 1 : 0;
+  }
+  EXPECT_GT(outside, 0);
+}
+
 TEST(ClosestPointSigned, BlankedCellsAreOutside)
 {
   vtkSmartPointer<vtkUniformGrid> grid = Blanked(MakeUniformGrid(4));
-  std::vector<Point> points;
-  vtkNew<vtkGenericCell> cell;
-  for (vtkIdType id = 0; id < grid->GetNumberOfCells(); ++id)
+  ExpectOutsideUnlessShown(grid, [&](vtkIdType id) { return grid->IsCellVisible(id) != 0; });
+}
+
+TEST(ClosestPointSigned, CellsThatAreRefinedElsewhereAreOutside)
+{
+  const std::vector<DataSetPointer> meshes{ MakeImage(4), MakeStructured(4),
+    MakeExplicitStructured(4), MakeGrid(Hexahedra(4)) };
+  for (const DataSetPointer& mesh : meshes)
   {
-    Bounds box;
-    grid->GetCellBounds(id, box.data());
-    points.push_back(Center(box));
+    Ids refined;
+    for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); id += 3)
+    {
+      refined.push_back(id);
+    }
+    MarkGhosts(mesh, refined, vtkDataSetAttributes::REFINEDCELL);
+    ExpectOutsideUnlessShown(mesh, [](vtkIdType id) { return id % 3 != 0; });
   }
-  const std::vector<double> distances = RunDistances(MakeSignedFilter(MakeQueries(points), grid));
-  int outside = 0;
-  for (vtkIdType id = 0; id < grid->GetNumberOfCells(); ++id)
-  {
-    EXPECT_EQ(distances[id] > 0, !grid->IsCellVisible(id)) << id;
-    outside += distances[id] > 0;
-  }
-  EXPECT_GT(outside, 0);
 }
 
 TEST(ClosestPointSigned, CellsOfVolumesAreThoseThatHaveTheNearestFace)
