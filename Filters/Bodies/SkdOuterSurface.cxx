@@ -52,20 +52,24 @@ vtkSmartPointer<vtkUnstructuredGrid> AsUnstructured(vtkExplicitStructuredGrid* e
 /// another piece, behind whose faces the body goes on, so that it would be open there.
 vtkSmartPointer<vtkDataSet> WithoutRefined(vtkDataSet* mesh)
 {
-  constexpr unsigned char refined = vtkDataSetAttributes::REFINEDCELL;
   vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
-  const auto isRefined = [](unsigned char mark) { return (mark & refined) != 0; };
-  const auto begin = ghosts ? ghosts->Begin() : nullptr;
-  const auto end = ghosts ? ghosts->End() : nullptr;
+  if (!ghosts || !ghosts->GetNumberOfValues())
+  {
+    return mesh;
+  }
+  const auto isRefined = [](unsigned char mark)
+  { return (mark & vtkDataSetAttributes::REFINEDCELL) != 0; };
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->DeepCopy(ghosts);
+  unsigned char* const begin = marks->GetPointer(0);
+  unsigned char* const end = begin + marks->GetNumberOfValues();
   if (std::none_of(begin, end, isRefined))
   {
     return mesh;
   }
-  vtkNew<vtkUnsignedCharArray> marks;
-  marks->DeepCopy(ghosts);
-  std::replace_if(marks->Begin(), marks->End(), isRefined,
-    static_cast<unsigned char>(vtkDataSetAttributes::HIDDENCELL));
-  const auto copy = vtkSmartPointer<vtkDataSet>::Take(mesh->NewInstance());
+  std::replace_if(
+    begin, end, isRefined, static_cast<unsigned char>(vtkDataSetAttributes::HIDDENCELL));
+  auto copy = vtkSmartPointer<vtkDataSet>::Take(mesh->NewInstance());
   copy->ShallowCopy(mesh);
   copy->GetCellData()->AddArray(marks);
   return copy;
