@@ -211,17 +211,19 @@ void CopyShaping(vtkDataSetAttributes* from, vtkDataSetAttributes* to)
 }
 }
 
-void SkdMeshSnapshot::Keep(vtkDataSet* mesh, bool watchesValues)
+void SkdMeshSnapshot::Keep(vtkDataSet* mesh)
+{
+  this->KeepArrays(mesh);
+  this->Checksum = SkdMeshChecksum(mesh);
+}
+
+void SkdMeshSnapshot::KeepArrays(vtkDataSet* mesh)
 {
   this->Mesh.TakeReference(mesh->NewInstance());
   this->Mesh->CopyStructure(mesh);
   CopyShaping(mesh->GetCellData(), this->Mesh->GetCellData());
   CopyShaping(mesh->GetPointData(), this->Mesh->GetPointData());
   this->Checksum.reset();
-  if (watchesValues)
-  {
-    this->Checksum = SkdMeshChecksum(mesh);
-  }
   vtkTimeStamp now;
   now.Modified();
   this->Time = now.GetMTime();

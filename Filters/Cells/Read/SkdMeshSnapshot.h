@@ -25,14 +25,16 @@ namespace skdtree
 class SkdMeshSnapshot
 {
 public:
-  /// Stores the structure of `mesh`, by reference, without its other data. `watchesValues`: with a
-  /// checksum, by which values are noticed that were changed in place without Modified() of their
-  /// array.
-  void Keep(vtkDataSet* mesh, bool watchesValues = true);
+  /// Stores the structure of `mesh`, by reference, without its other data, and a checksum of its
+  /// values: to notice those that are changed in place without Modified() of their array. O(n).
+  void Keep(vtkDataSet* mesh);
+
+  /// The same without the checksum, where arrays are Modified() if their values change. O(1).
+  void KeepArrays(vtkDataSet* mesh);
 
   /// Whether `mesh` has the stored structure: the same arrays, not modified since, or others with
-  /// equal values. O(n) if values must be compared, as where values are watched and the data set
-  /// was Modified() since. Conservative: false for unknown types of data sets, for polyhedra in new
+  /// equal values. O(n) if values must be compared, as after Keep() of a data set that was
+  /// Modified() since. Conservative: false for unknown types of data sets, for polyhedra in new
   /// arrays, and when a stored array was modified by whoever shares it, because what it held is not
   /// known any more.
   bool IsSameAs(vtkDataSet* mesh) const;

@@ -67,7 +67,7 @@ public:
     auto snapshot = std::make_shared<SkdMeshSnapshot>();
     if (mesh)
     {
-      snapshot->Keep(mesh, false); // a locator's contract: arrays are told
+      snapshot->KeepArrays(mesh);
     }
     const bool isComparable = mesh && snapshot->IsSameAs(mesh);
     this->Snapshot = isComparable ? std::move(snapshot) : nullptr;
