@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CoreSupport.h"
 
+#include <type_traits>
+
 using namespace coretest;
 
 namespace
 {
 
 /// A query whose keys are the lower ends of the boxes along an axis, from where the tree begins.
-template <bool IsOrdered>
+template <bool IsOrdered, bool HasManyChildren = false>
 struct LowerEnds
 {
   static constexpr bool Ordered = IsOrdered;
+  static constexpr bool ManyChildren = HasManyChildren;
 
   template <int W>
   unsigned TestBoxes(const skd::BoxPacket<1, W>& boxes, float* keys) const
@@ -58,10 +61,18 @@ struct ShuffledLine
   skd::Tree<1> Tree;
 };
 
-TEST(Walk, VisitsTheLeastKeyFirst)
+/// Whether a query has many children, as std::bool_constant.
+template <class Type>
+class OrderedWalk : public testing::Test
+{
+};
+using ManyChildren = testing::Types<std::false_type, std::true_type>;
+TYPED_TEST_SUITE(OrderedWalk, ManyChildren, );
+
+TYPED_TEST(OrderedWalk, VisitsTheLeastKeyFirst)
 {
   const ShuffledLine line(513);
-  LowerEnds<true> query;
+  LowerEnds<true, TypeParam::value> query;
   skd::Walk(line.Tree, query);
   EXPECT_EQ(query.Visited, line.IndexAt);
 }
@@ -74,43 +85,43 @@ TEST(Walk, VisitsAllWithoutAnOrder)
   EXPECT_EQ(Sorted(query.Visited), Sorted(line.IndexAt));
 }
 
-TEST(Walk, VisitsKeysAtTheLimitAndNoneAbove)
+TYPED_TEST(OrderedWalk, VisitsKeysAtTheLimitAndNoneAbove)
 {
   const ShuffledLine line(65);
-  LowerEnds<true> query;
+  LowerEnds<true, TypeParam::value> query;
   query.TheLimit = line.KeyOf(40.0);
   skd::Walk(line.Tree, query);
   EXPECT_EQ(query.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 41));
 }
 
-TEST(Walk, EndsWhenVisitSaysSo)
+TYPED_TEST(OrderedWalk, EndsWhenVisitSaysSo)
 {
   const ShuffledLine line(65);
-  LowerEnds<true> query;
+  LowerEnds<true, TypeParam::value> query;
   query.Most = 7;
   skd::Walk(line.Tree, query);
   EXPECT_EQ(query.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 7));
 }
 
-TEST(Walk, OfAnEmptyTreeVisitsNothing)
+TYPED_TEST(OrderedWalk, OfAnEmptyTreeVisitsNothing)
 {
-  LowerEnds<true> query;
+  LowerEnds<true, TypeParam::value> query;
   skd::Walk(skd::Tree<1>(), query);
   EXPECT_TRUE(query.Visited.empty());
 }
 
-TEST(Walk, WithANaNLimitVisitsNothing)
+TYPED_TEST(OrderedWalk, WithANaNLimitVisitsNothing)
 {
   const ShuffledLine line(65);
-  LowerEnds<true> query;
+  LowerEnds<true, TypeParam::value> query;
   query.TheLimit = std::numeric_limits<float>::quiet_NaN();
   skd::Walk(line.Tree, query);
   EXPECT_TRUE(query.Visited.empty());
 }
 
 /// Keeps the boxes of leaves beside the tree, by the numbers of the nodes.
-template <bool IsOrdered>
-struct KnowsLeaves : LowerEnds<IsOrdered>
+template <bool IsOrdered, bool HasManyChildren = false>
+struct KnowsLeaves : LowerEnds<IsOrdered, HasManyChildren>
 {
   static constexpr bool SkipsLeaves = true;
   static constexpr bool GivesKeys = true;
@@ -153,25 +164,29 @@ struct KnowsLeaves : LowerEnds<IsOrdered>
   int Known = 0;
 };
 
-TEST(Walk, OfKnownLeavesVisitsTheSame)
+TYPED_TEST(OrderedWalk, OfKnownLeavesVisitsTheSame)
 {
   ShuffledLine line(513);
-  KnowsLeaves<true> inOrder(line.Tree);
+  KnowsLeaves<true, TypeParam::value> inOrder(line.Tree);
   inOrder.TheLimit = line.KeyOf(300.0);
   skd::Walk(line.Tree, inOrder);
   EXPECT_EQ(inOrder.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 301));
   EXPECT_GT(inOrder.Opened, 0);
   EXPECT_GT(inOrder.Known, inOrder.Opened);
+}
 
+TEST(Walk, OfKnownLeavesVisitsAllWithoutAnOrder)
+{
+  ShuffledLine line(513);
   KnowsLeaves<false> inAnyOrder(line.Tree);
   skd::Walk(line.Tree, inAnyOrder);
   EXPECT_EQ(Sorted(inAnyOrder.Visited), Sorted(line.IndexAt));
 }
 
-TEST(Walk, OfKnownLeavesEndsWhenVisitSaysSo)
+TYPED_TEST(OrderedWalk, OfKnownLeavesEndsWhenVisitSaysSo)
 {
   ShuffledLine line(65);
-  KnowsLeaves<true> query(line.Tree);
+  KnowsLeaves<true, TypeParam::value> query(line.Tree);
   query.Most = 7;
   skd::Walk(line.Tree, query);
   EXPECT_EQ(query.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 7));
@@ -196,7 +211,8 @@ TEST(Walk, NeverVisitsLanesThatHoldNothing)
 }
 
 /// A limit that falls while the walk goes on: what was pushed before it fell is left alone.
-struct EndsAfter : LowerEnds<true>
+template <bool HasManyChildren>
+struct EndsAfter : LowerEnds<true, HasManyChildren>
 {
   bool Visit(std::uint32_t element)
   {
@@ -208,10 +224,10 @@ struct EndsAfter : LowerEnds<true>
   float Fallen = 0.0f;
 };
 
-TEST(Walk, LeavesAloneWhatAFallenLimitExcludes)
+TYPED_TEST(OrderedWalk, LeavesAloneWhatAFallenLimitExcludes)
 {
   const ShuffledLine line(513);
-  EndsAfter query;
+  EndsAfter<TypeParam::value> query;
   query.Fallen = line.KeyOf(5.0);
   skd::Walk(line.Tree, query);
   EXPECT_EQ(query.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 6));

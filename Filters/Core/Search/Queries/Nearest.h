@@ -76,6 +76,7 @@ class Nearest : public FilteredQuery<Nearest<D, Visitor, LeafFilter>, LeafFilter
 {
 public:
   static constexpr bool Ordered = true;
+  static constexpr bool ManyChildren = true;
 
   Nearest(const Frame<D>& frame, const Vector<D>& point, double limit2, Visitor& visitor,
     const LeafFilter& leafFilter = LeafFilter())

@@ -3,10 +3,12 @@
 #ifndef skd_Tree_Walk_h
 #define skd_Tree_Walk_h
 
+#include "LaneQueue.h"
 #include "Node.h"
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -55,6 +57,17 @@ struct KnowsSure<Query, std::void_t<decltype(&Query::VisitSure)>> : std::true_ty
 {
 };
 
+/// Whether of most nodes many children are within the limit, which falls before most are opened:
+/// then it is quicker to put none in order before it is opened.
+template <class Query, class = void>
+struct HasManyChildren : std::false_type
+{
+};
+template <class Query>
+struct HasManyChildren<Query, std::enable_if_t<Query::ManyChildren>> : std::true_type
+{
+};
+
 /// What a traversal has still to open: a number in the order of the keys, which are 0 or more. The
 /// key is in its upper half; below are the index of a node and a mark, or the number of a leaf that
 /// need not be opened and a mark.
@@ -94,6 +107,14 @@ inline int LeastLane(unsigned lanes, const float* keys)
   return least;
 }
 
+/// A node's children that are still to be opened.
+template <class Node>
+struct Siblings
+{
+  LaneQueue Lanes;
+  const Node* Parent;
+};
+
 /// A traversal: its stack, whose last is the next. The stack is no member: so compilers keep the
 /// members in registers.
 template <class Tree, class Query>
@@ -101,9 +122,11 @@ class Traversal
 {
 public:
   using Node = std::decay_t<decltype(std::declval<const Tree&>().Open(0))>;
-  static constexpr int StackSize = MostLevels * (Node::Width - 1);
+  static constexpr bool BySiblings = HasManyChildren<Query>::value;
+  using StackItem = std::conditional_t<BySiblings, Siblings<Node>, QueueEntry>;
+  static constexpr int StackSize = MostLevels * (BySiblings ? 1 : Node::Width - 1);
 
-  Traversal(const Tree& tree, Query& query, QueueEntry* stack, Node& room)
+  Traversal(const Tree& tree, Query& query, StackItem* stack, Node& room)
     : TheTree(tree)
     , TheQuery(query)
     , Stack(stack)
@@ -145,7 +168,14 @@ private:
     {
       return this->Take(next);
     }
-    next = this->Put(node, overlapping, isSure, keys);
+    if constexpr (BySiblings)
+    {
+      next = this->PutSiblings(node, overlapping, keys);
+    }
+    else
+    {
+      next = this->Put(node, overlapping, isSure, keys);
+    }
     return true;
   }
 
@@ -154,13 +184,72 @@ private:
   {
     while (this->Top != this->Stack)
     {
-      next = *--this->Top;
-      if (!Query::Ordered || KeyOf(next) <= this->TheQuery.Limit())
+      if constexpr (BySiblings)
       {
-        return true;
+        Siblings<Node>& siblings = this->Top[-1];
+        const int lane = siblings.Lanes.Take(this->TheQuery.Limit());
+        if (lane != LaneQueue::None)
+        {
+          const Node& parent = *siblings.Parent;
+          next = this->ChildOf(parent, this->KnowsLeavesOf(parent), lane);
+          return true;
+        }
+        --this->Top;
+      }
+      else
+      {
+        next = *--this->Top;
+        if (!Query::Ordered || KeyOf(next) <= this->TheQuery.Limit())
+        {
+          return true;
+        }
       }
     }
     return false;
+  }
+
+  bool KnowsLeavesOf(const Node& node) const
+  {
+    if constexpr (Skips)
+    {
+      return this->TheQuery.Knows(node);
+    }
+    return false;
+  }
+
+  /// What a child is opened by, as the lower half of an entry has it.
+  std::uint32_t ChildOf(const Node& node, bool isKnown, int lane) const
+  {
+    if constexpr (Skips)
+    {
+      if (isKnown)
+      {
+        const auto& known = node.template Read<KnownLeaves>();
+        if (known.IsKnown(lane)) // what is needed last is asked for first
+        {
+          this->TheQuery.FetchData(known.DataOf(lane));
+        }
+        return known.Entries[lane];
+      }
+    }
+    return node.First + static_cast<std::uint32_t>(lane);
+  }
+
+  /// Puts children on the stack, takes the first of them, and returns it.
+  QueueEntry PutSiblings(const Node& node, unsigned lanes, const float* keys)
+  {
+    const bool isKnown = this->KnowsLeavesOf(node);
+    if ((lanes & (lanes - 1)) == 0)
+    {
+      return this->ChildOf(node, isKnown, LowestBit(lanes));
+    }
+    Siblings<Node>& siblings = *this->Top++;
+    siblings.Parent = &node;
+    siblings.Lanes.Put(lanes, keys);
+    const int first = siblings.Lanes.Take(std::numeric_limits<float>::infinity());
+    ForEachLane(
+      lanes & ~(1u << first), [&](int lane) { this->Fetched(this->ChildOf(node, isKnown, lane)); });
+    return this->ChildOf(node, isKnown, first);
   }
 
   /// Puts children on the stack but the first of them, which it returns.
@@ -171,24 +260,11 @@ private:
     {
       sure = isSure ? lanes : this->TheQuery.SureOf(node);
     }
-    [[maybe_unused]] bool isKnown = false;
-    if constexpr (Skips)
-    {
-      isKnown = this->TheQuery.Knows(node);
-    }
+    const bool isKnown = this->KnowsLeavesOf(node);
     const auto entryOf = [&](int lane)
     {
-      std::uint32_t index = node.First + static_cast<std::uint32_t>(lane);
-      if constexpr (Skips)
-      {
-        const auto& known = node.template Read<KnownLeaves>();
-        index = isKnown ? known.Entries[lane] : index;
-        if (IsMarked(index)) // what is needed last is asked for first
-        {
-          this->TheQuery.FetchData(known.DataOf(lane));
-        }
-      }
-      else if constexpr (Sure)
+      std::uint32_t index = this->ChildOf(node, isKnown, lane);
+      if constexpr (Sure)
       {
         index |= (sure >> lane & 1u) != 0 ? Mark : 0u;
       }
@@ -321,9 +397,9 @@ private:
 
   const Tree& TheTree;
   Query& TheQuery;
-  QueueEntry* const Stack;
-  QueueEntry* Top; ///< one past the last
-  Node& Room;      ///< of a leaf that the tree does not store
+  StackItem* const Stack;
+  StackItem* Top; ///< one past the last
+  Node& Room;     ///< of a leaf that the tree does not store
 };
 
 }
@@ -339,6 +415,8 @@ private:
 ///                                        bound of what is sought below that box, is within Limit()
 ///   unsigned TestElements(const Node&, float* keys)
 ///                                        if there: the same for a leaf and its elements
+///   static constexpr bool ManyChildren   if there and true, and Ordered: most nodes have more than
+///                                        two wanted children
 ///   static constexpr bool SkipsLeaves   if there and true, it gives
 ///   bool Knows(const Node&)              whether the node's note, if it is an inner one, is
 ///                                        KnownLeaves: these need not be opened
@@ -351,7 +429,7 @@ private:
 ///                                        an answer, and what is visited without a test of any box
 ///   float Limit()                        a node whose key is above it is not wanted any more
 ///   bool Visit(element index)            an element was reached; false ends the walk
-/// Keys are 0 or more: with a negative limit nothing is reached. Depth first, brothers by key. No
+/// Keys are 0 or more: with a negative limit nothing is reached. Depth first, siblings by key. No
 /// allocation. O(nodes whose key is within the limit).
 template <class Tree, class Query>
 void Walk(const Tree& tree, Query& query)
@@ -361,7 +439,7 @@ void Walk(const Tree& tree, Query& query)
     return;
   }
   using Traversal = detail::Traversal<Tree, Query>;
-  detail::QueueEntry stack[Traversal::StackSize];
+  typename Traversal::StackItem stack[Traversal::StackSize];
   typename Traversal::Node room;
   Traversal(tree, query, stack, room).Run();
 }
