@@ -3,6 +3,7 @@
 #include "Remap/SkdDonorFields.h"
 
 #include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -28,19 +29,17 @@ void ReadValues(
   for (vtkIdType i = 0; i < n; ++i)
   {
     double* tuple = field.Values.data() + static_cast<std::size_t>(i) * components;
+    unsigned char& counts = field.Counts[static_cast<std::size_t>(i)];
     array->GetTuple(i, tuple);
     bool isMissing = false;
     for (std::size_t c = 0; c < components; ++c)
     {
       tuple[c] = tuple[c] == rules.MissingValue ? vtkMath::Nan() : tuple[c];
       isMissing = isMissing || std::isnan(tuple[c]);
-      hasInfinite = hasInfinite || std::isinf(tuple[c]);
+      hasInfinite = hasInfinite || (counts != 0 && std::isinf(tuple[c]));
     }
-    problems.NaNs += isMissing ? 1 : 0;
-    if (isMissing && rules.Missing == SkdMissingValues::Mask)
-    {
-      field.Counts[static_cast<std::size_t>(i)] = 0;
-    }
+    problems.NaNs += isMissing && counts != 0 ? 1 : 0;
+    counts = isMissing && rules.Missing == SkdMissingValues::Mask ? 0 : counts;
   }
   if (hasInfinite)
   {
@@ -113,19 +112,15 @@ std::vector<std::string> SkdFieldProblems::GetWarnings(
 std::vector<unsigned char> SkdFindCounts(vtkDataSet* donor, int type, const SkdFieldRules& rules)
 {
   vtkDataSetAttributes* data = donor->GetAttributes(type);
-  const vtkIdType n = donor->GetNumberOfElements(type);
-  std::vector<unsigned char> counts(static_cast<std::size_t>(n), 1);
-  auto* ghosts =
-    vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  const int unwanted = type == vtkDataObject::CELL ? vtkDataSetAttributes::DUPLICATECELL |
-      vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL
-                                                   : vtkDataSetAttributes::HIDDENPOINT;
+  std::vector<unsigned char> counts = SkdFindShown(donor, type);
+  vtkUnsignedCharArray* ghosts = type == vtkDataObject::CELL ? donor->GetCellGhostArray() : nullptr;
   vtkDataArray* mask = rules.Mask.empty() ? nullptr : data->GetArray(rules.Mask.c_str());
-  for (vtkIdType i = 0; i < n; ++i)
+  for (vtkIdType i = 0; i < donor->GetNumberOfElements(type); ++i)
   {
-    const bool isGhost = ghosts && (ghosts->GetValue(i) & unwanted) != 0;
+    const bool isGhost = ghosts && (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATECELL) != 0;
     const bool isMasked = mask && !(mask->GetComponent(i, 0) != 0.0);
-    counts[static_cast<std::size_t>(i)] = isGhost || isMasked ? 0 : 1;
+    unsigned char& count = counts[static_cast<std::size_t>(i)];
+    count = isGhost || isMasked ? 0 : count;
   }
   return counts;
 }

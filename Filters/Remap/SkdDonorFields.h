@@ -79,7 +79,8 @@ struct SkdFieldProblems
   std::vector<std::string> GetWarnings(SkdMissingValues missing, bool countsNaNs) const;
 };
 
-/// Whether each point or cell (vtkDataObject's type) counts by ghost marks and the mask.
+/// Whether each point or cell (vtkDataObject's type) counts by ghost marks and the mask. Points
+/// that only hidden cells use do not.
 std::vector<unsigned char> SkdFindCounts(vtkDataSet* donor, int type, const SkdFieldRules& rules);
 
 /// The arrays of a mesh's points or cells (vtkDataObject's type) but ghost marks and ids, in their

@@ -3,6 +3,7 @@
 #include "Remap/SkdMeshPoints.h"
 
 #include "Cells/Read/SkdCellReader.h"
+#include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkMath.h"
@@ -32,7 +33,7 @@ std::vector<skd::Vector3> SkdMiddlesOf(vtkDataSet* mesh)
   for (std::size_t i = 0; i < middles.size(); ++i)
   {
     SkdLoadCell(mesh, static_cast<vtkIdType>(i), cell);
-    if (cell->GetNumberOfPoints() > 0)
+    if (cell->GetCellType() != VTK_EMPTY_CELL && cell->GetNumberOfPoints() > 0)
     {
       double pcoords[3];
       int subId = cell->GetParametricCenter(pcoords);
@@ -41,6 +42,15 @@ std::vector<skd::Vector3> SkdMiddlesOf(vtkDataSet* mesh)
     }
   }
   return middles;
+}
+
+void SkdLeaveOut(const std::vector<unsigned char>& counts, std::vector<skd::Vector3>& points)
+{
+  const double nan = vtkMath::Nan();
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    points[i] = counts[i] != 0 ? points[i] : skd::Vector3{ { nan, nan, nan } };
+  }
 }
 
 vtkSmartPointer<vtkPolyData> SkdCloudOf(const std::vector<skd::Vector3>& positions)

@@ -17,6 +17,9 @@ namespace skdtree
 std::vector<skd::Vector3> SkdPointsOf(vtkDataSet* mesh);
 std::vector<skd::Vector3> SkdMiddlesOf(vtkDataSet* mesh);
 
+/// Makes those NaN that do not count: 0.
+void SkdLeaveOut(const std::vector<unsigned char>& counts, std::vector<skd::Vector3>& points);
+
 /// Points and nothing else.
 vtkSmartPointer<vtkPolyData> SkdCloudOf(const std::vector<skd::Vector3>& positions);
 }

@@ -133,6 +133,7 @@ const SkdContainedMean& SkdRemapper::SamplesOf(int type)
     {
       weights = CosinesOfLatitude(points);
     }
+    SkdLeaveOut(SkdFindCounts(this->Donor, type, {}), points);
     cached.Samples =
       std::make_unique<SkdContainedMean>(std::move(points), std::move(weights), isOnSphere);
     cached.WeighsByCosine = this->Settings.WeighsByCosine;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkSkdTreeRemap: what is kept, and how well.
 
+#include "Support/AMRMeshes.h"
 #include "Support/EventCounter.h"
 #include "Support/RemapRun.h"
 #include "Support/SphereMeshes.h"
@@ -403,6 +404,30 @@ TEST(Remap, ContainedStatisticsCountAndLump)
   const std::vector<double> points = RemappedPoints(remap, "Number");
   EXPECT_DOUBLE_EQ(points[4], 0.25 * (numbers[0] + numbers[1] + numbers[2] + numbers[3]));
   EXPECT_DOUBLE_EQ(points[0], numbers[0]);
+}
+
+TEST(Remap, WhatIsContainedIsShown)
+{
+  const auto input = MakeGrid(Transformed(Hexahedra(1), 3.0, { -0.1, -0.1, -0.1 }));
+  for (const char* name : { "f", "c", "SkdCount" })
+  {
+    for (const bool isOfPoints : { true, false })
+    {
+      const auto only = [isOfPoints](vtkDataSet* mesh)
+      {
+        mesh->GetAttributes(isOfPoints ? vtkDataObject::CELL : vtkDataObject::POINT)
+          ->RemoveArray(isOfPoints ? "c" : "f");
+      };
+      const auto blocks = MakeAMR();
+      const GridPointer grid = ShownCellsOf(blocks);
+      only(blocks->GetDataSet(0, 0));
+      only(blocks->GetDataSet(1, 0));
+      only(grid);
+      EXPECT_EQ(RemappedCells(MakeRemap(input, blocks, Remap::CONTAINED), name),
+        RemappedCells(MakeRemap(input, grid, Remap::CONTAINED), name))
+        << name << isOfPoints;
+    }
+  }
 }
 
 TEST(Remap, LumpedMassesKeepTheIntegral)
