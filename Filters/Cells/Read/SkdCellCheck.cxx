@@ -11,6 +11,7 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkExplicitStructuredGrid.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -98,6 +99,12 @@ bool AreCertainlyWhole(const Offset* offsets, const Id* ids, vtkIdType begin, vt
   return range.HasAll();
 }
 
+bool HasMark(vtkUnsignedCharArray* ghosts, vtkIdType id, int mark)
+{
+  return ghosts && id >= 0 && id < ghosts->GetNumberOfValues() &&
+    (ghosts->GetValue(id) & mark) != 0;
+}
+
 /// The cells of one vtkCellArray of a data set.
 class Part
 {
@@ -127,6 +134,9 @@ public:
 
   /// Appends the broken ones among cells begin .. end - 1, by their ids in the data set.
   void FindBroken(vtkIdType begin, vtkIdType end, std::vector<vtkIdType>& broken) const;
+
+  /// Whether a broken cell has no type since it is hidden.
+  bool IsHidden(vtkIdType id) const;
 
   /// What is wrong with a cell; empty if nothing is.
   std::string FaultOf(vtkIdType id) const;
@@ -234,6 +244,29 @@ bool Part::IsBroken(vtkIdType cell, SkdIdMarks& marks) const
   return !isWhole;
 }
 
+bool Part::IsHidden(vtkIdType id) const
+{
+  constexpr int hidden = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  const vtkIdType cell = id - this->First;
+  if (!this->Grid || cell >= this->NumberOfTypes || this->TypeOf(cell) != VTK_EMPTY_CELL)
+  {
+    return false;
+  }
+  if (HasMark(this->Grid->GetCellGhostArray(), id, hidden))
+  {
+    return true;
+  }
+  bool hasHiddenPoint = false;
+  this->Cells.VisitCell(cell,
+    [&](const auto* ids, vtkIdType size)
+    {
+      vtkUnsignedCharArray* marks = this->Grid->GetPointGhostArray();
+      hasHiddenPoint = std::any_of(ids, ids + size,
+        [marks](auto point) { return HasMark(marks, point, vtkDataSetAttributes::HIDDENPOINT); });
+    });
+  return hasHiddenPoint;
+}
+
 std::string Part::FaultOf(vtkIdType id) const
 {
   const vtkIdType cell = id - this->First;
@@ -328,10 +361,16 @@ SkdBrokenCells SkdFindBrokenCells(vtkDataSet* data)
     for (const std::vector<vtkIdType>& block : blocks)
     {
       all.Ids.insert(all.Ids.end(), block.begin(), block.end());
+      for (const vtkIdType id : block)
+      {
+        const bool isFault = !part.IsHidden(id);
+        all.FirstFault = isFault && all.Faults == 0 ? id : all.FirstFault;
+        all.Faults += isFault ? 1 : 0;
+      }
     }
-    if (all.Fault.empty() && !all.Ids.empty())
+    if (all.Fault.empty() && all.Faults > 0)
     {
-      all.Fault = part.FaultOf(all.Ids.front());
+      all.Fault = part.FaultOf(all.FirstFault);
     }
   }
   return all;
@@ -341,10 +380,10 @@ SkdBrokenCells SkdFindBrokenCells(vtkDataSet* data)
 std::string SkdBrokenCells::Tell(vtkDataSet* data) const
 {
   std::ostringstream text;
-  text << this->Ids.size() << " of " << data->GetNumberOfCells()
-       << (this->Ids.size() == 1 ? " cells is broken and ignored; it is cell "
-                                 : " cells are broken and ignored; the first is cell ")
-       << this->Ids.front() << (this->Ids.size() == 1 ? ", which " : ", ") << this->Fault << ".";
+  text << this->Faults << " of " << data->GetNumberOfCells()
+       << (this->Faults == 1 ? " cells is broken and ignored; it is cell "
+                             : " cells are broken and ignored; the first is cell ")
+       << this->FirstFault << (this->Faults == 1 ? ", which " : ", ") << this->Fault << ".";
   return text.str();
 }
 }

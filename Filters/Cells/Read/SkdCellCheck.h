@@ -22,7 +22,12 @@ namespace skdtree
 struct SkdBrokenCells
 {
   std::vector<vtkIdType> Ids; ///< ascending
-  std::string Fault;          ///< of the first, as a predicate: "has 3 points, ..."
+
+  /// How many of them are faults and the first of these. No fault are hidden cells of blanked grids
+  /// and AMR, which VTK gives no type but all their points when it appends the grids.
+  vtkIdType Faults = 0;
+  vtkIdType FirstFault = -1;
+  std::string Fault; ///< of the first, as a predicate: "has 3 points, ..."
 
   /// "2 of 9 cells are broken and ignored; the first is cell 4, has 3 points, ...".
   std::string Tell(vtkDataSet* data) const;

@@ -234,7 +234,7 @@ SkdRepairedMesh SkdRepair(vtkDataSet* given)
 {
   const vtkSmartPointer<vtkDataSet> data = WithPoints(given);
   SkdBrokenCells broken = SkdFindBrokenCells(data);
-  const std::string fault = broken.Ids.empty() ? std::string() : broken.Tell(data);
+  const std::string fault = broken.Faults == 0 ? std::string() : broken.Tell(data);
   auto* mesh = vtkPolyData::SafeDownCast(data);
   if (mesh && !VTK_SKD_BUILDS_ALL_CELLS && (!broken.Ids.empty() || HasTooSmall(mesh)))
   {

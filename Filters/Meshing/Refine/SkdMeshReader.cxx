@@ -5,6 +5,7 @@
 #include "Bodies/SkdWeld.h"
 #include "Cells/Read/SkdCellReader.h"
 #include "Cells/Read/SkdMagnitudes.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkNew.h"
@@ -77,6 +78,7 @@ public:
     : Read(read)
     , Block(block)
     , Reader(block.Input.Mesh)
+    , Shown(SkdFindShown(block.Input.Mesh, vtkDataObject::CELL))
   {
   }
 
@@ -85,6 +87,10 @@ public:
     const int type = this->Reader.TypeOf(cell);
     const auto input = static_cast<std::uint32_t>(this->Block.FirstInput + cell);
     const skd::CellKind kind = KindOf(type);
+    if (this->Shown[static_cast<std::size_t>(cell)] == 0)
+    {
+      return this->AddFixed(input, true);
+    }
     if (kind == skd::CellKind::Fixed || !this->Gather(cell) || !this->IsFinite())
     {
       return this->AddFixed(input, type == VTK_VERTEX || type == VTK_POLY_VERTEX);
@@ -138,10 +144,11 @@ private:
     }
   }
 
-  void AddFixed(std::uint32_t input, bool isPoint)
+  /// Of points and hidden cells nothing is to be told.
+  void AddFixed(std::uint32_t input, bool isQuiet)
   {
     this->Read.Mesh.AddCell(skd::CellKind::Fixed, nullptr, 0, input, 0);
-    this->Read.CellsNotRefinable += !isPoint;
+    this->Read.CellsNotRefinable += isQuiet ? 0 : 1;
   }
 
   /// Triangles that use a node twice, which is how strips go on elsewhere, are left out.
@@ -204,6 +211,7 @@ private:
   SkdReadMesh& Read;
   const SkdReadMesh::Block& Block;
   SkdCellReader Reader;
+  std::vector<unsigned char> Shown;
   vtkNew<vtkIdList> List;
   std::vector<std::uint32_t> Nodes;
 };

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells of grids that are blanked, and of AMR that are refined elsewhere: nothing is said of them,
+// and answers are those of the other cells alone.
+
+#include "Support/EventCounter.h"
+#include "Support/MakeOf.h"
+#include "Support/Reported.h"
+#include "Support/StructuredMeshes.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkSkdTreeCellLocator.h"
+#include "vtkSkdTreeMeshRefinement.h"
+
+#include <gtest/gtest.h>
+
+using namespace skdtest;
+
+namespace
+{
+GridPointer Appended(vtkDataSet* mesh)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->SetInputData(mesh);
+  append->Update();
+  return append->GetOutput();
+}
+
+/// A grid of which points are hidden, and the cells that have them.
+vtkSmartPointer<vtkStructuredGrid> WithHiddenPoints()
+{
+  auto grid = MakeStructured(3);
+  grid->BlankPoint(0);
+  grid->BlankPoint(21);
+  return grid;
+}
+}
+
+TEST(HiddenCells, AreNotBrokenWhereVtkAppendsThem)
+{
+  for (const GridPointer& mesh : { Appended(Blanked(MakeUniformGrid(3))),
+         Appended(Blanked(MakeStructured(3))), Appended(WithHiddenPoints()) })
+  {
+    vtkNew<vtkSkdTreeCellLocator> locator;
+    EventCounter events(locator);
+    locator->SetDataSet(mesh);
+    locator->BuildLocator();
+    EXPECT_EQ(events.Warnings, 0) << events.Warning;
+    EXPECT_GT(locator->GetNumberOfCellsLeftOut(), 0);
+    EXPECT_LT(locator->GetNumberOfCellsLeftOut(), 27);
+  }
+}
+
+TEST(HiddenCells, WithoutMarksOrWithOtherFaultsAreNamed)
+{
+  const GridPointer mesh = Appended(Blanked(MakeUniformGrid(3)));
+  mesh->GetCellGhostArray()->SetValue(4, 0);
+  vtkNew<vtkSkdTreeCellLocator> locator;
+  EventCounter events(locator);
+  locator->SetDataSet(mesh);
+  locator->BuildLocator();
+  EXPECT_EQ(events.Warnings, 1);
+  EXPECT_NE(events.Warning.find("1 of 27 cells is broken"), std::string::npos) << events.Warning;
+  EXPECT_NE(events.Warning.find("it is cell 4"), std::string::npos) << events.Warning;
+}
+
+TEST(HiddenCells, AreKeptByRefinementWithoutAWord)
+{
+  for (const DataSetPointer& mesh : std::vector<DataSetPointer>{
+         Blanked(MakeUniformGrid(3)), Blanked(MakeStructured(3)), WithHiddenPoints() })
+  {
+    const auto filter = MakeOf<vtkSkdTreeMeshRefinement>(mesh, nullptr);
+    EventCounter events(filter);
+    filter->SetMaximumLevel(1);
+    filter->Update();
+    EXPECT_EQ(events.Warnings, 0) << events.Warning;
+    EXPECT_EQ(Reported(filter, "CellsNotRefinable"), 0.0);
+  }
+}
+
+TEST(HiddenCells, AreNotRefined)
+{
+  const auto mesh = MakeGrid(Hexahedra(2));
+  MarkGhosts(mesh, { 0, 3 }, vtkDataSetAttributes::REFINEDCELL);
+  const auto filter = MakeOf<vtkSkdTreeMeshRefinement>(mesh, nullptr);
+  filter->SetMaximumLevel(1);
+  filter->SetMethod(vtkSkdTreeMeshRefinement::REGULAR);
+  filter->Update();
+  EXPECT_EQ(Reported(filter, "Cells"), 6 * 8 + 2);
+}
