@@ -3,13 +3,15 @@
 // Cells of grids that are blanked, and of AMR that are refined elsewhere: nothing is said of them,
 // and answers are those of the other cells alone.
 
+#include "Support/AMRMeshes.h"
 #include "Support/EventCounter.h"
 #include "Support/MakeOf.h"
-#include "Support/Reported.h"
 #include "Support/StructuredMeshes.h"
+#include "Support/SurfaceMeshes.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkSkdTreeCellLocator.h"
+#include "vtkSkdTreeMeshAdaptation.h"
 #include "vtkSkdTreeMeshRefinement.h"
 
 #include <gtest/gtest.h>
@@ -33,6 +35,20 @@ vtkSmartPointer<vtkStructuredGrid> WithHiddenPoints()
   grid->BlankPoint(0);
   grid->BlankPoint(21);
   return grid;
+}
+
+/// With other values where nothing is shown, and what is shown alone.
+struct Pair
+{
+  vtkSmartPointer<vtkOverlappingAMR> Blocks = MakeAMR();
+  GridPointer Shown = ShownCellsOf(Blocks);
+};
+
+/// No sphere, on which samples of grids would count by their latitude.
+PolyDataPointer Ball()
+{
+  const auto flat = [](const Point& x) -> Point { return { x[0], x[1], 0.9 * x[2] }; };
+  return MakePolyData(Transformed(SphereTriangles(6), 0.8, { 1.2, 1.1, 1.3 }).Map(flat));
 }
 }
 
@@ -87,4 +103,46 @@ TEST(HiddenCells, AreNotRefined)
   filter->SetMethod(vtkSkdTreeMeshRefinement::REGULAR);
   filter->Update();
   EXPECT_EQ(Reported(filter, "Cells"), 6 * 8 + 2);
+}
+
+TEST(HiddenCells, HaveNoPartInTheRangeOfAField)
+{
+  const Pair pair;
+  std::vector<double> cells;
+  for (vtkDataObject* field : std::vector<vtkDataObject*>{ pair.Blocks, pair.Shown })
+  {
+    for (const char* name : { "f", "c" })
+    {
+      const auto filter = MakeOf<vtkSkdTreeMeshRefinement>(MakeGrid(Hexahedra(4)), nullptr);
+      filter->SetMaximumLevel(1);
+      filter->SetFieldData(field);
+      filter->AddFieldArray(name);
+      filter->SetFieldTest(vtkSkdTreeMeshRefinement::VALUE);
+      filter->RelativeFieldThresholdOn();
+      filter->SetFieldRange(0.7, 1.0);
+      filter->Update();
+      cells.push_back(Reported(filter, "Cells"));
+    }
+  }
+  EXPECT_EQ(cells[0], cells[2]);
+  EXPECT_EQ(cells[1], cells[3]);
+  EXPECT_GT(cells[0], 64.0);
+  EXPECT_GT(cells[1], 64.0);
+}
+
+TEST(HiddenCells, HaveNoPartInAFieldThatAMeshFollows)
+{
+  const Pair pair;
+  std::vector<std::vector<double>> areas;
+  for (vtkDataObject* field : std::vector<vtkDataObject*>{ pair.Blocks, pair.Shown })
+  {
+    const auto filter = MakeOf<vtkSkdTreeMeshAdaptation>(Ball(), field);
+    filter->SetFieldArray("f");
+    filter->SetMaximumIterations(2);
+    filter->Update();
+    auto* mesh = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    areas.push_back(ValuesOf(mesh->GetCellData()->GetArray("SkdArea")));
+  }
+  EXPECT_FALSE(areas[0].empty());
+  EXPECT_EQ(areas[0], areas[1]);
 }

@@ -5,6 +5,7 @@
 #include "Cells/Read/SkdCellReader.h"
 #include "Cells/Read/SkdMagnitudes.h"
 #include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -90,6 +91,7 @@ void SkdFieldSamples::AddAll(
   const vtkUnsignedCharArray* none = nullptr;
   vtkUnsignedCharArray* ghosts =
     type == vtkDataObject::POINT ? mesh->GetPointGhostArray() : mesh->GetCellGhostArray();
+  const std::vector<unsigned char> shown = SkdFindShown(mesh, type);
   vtkNew<vtkGenericCell> cell;
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
@@ -102,7 +104,8 @@ void SkdFieldSamples::AddAll(
     {
       x = MiddleOf(mesh, i, cell);
     }
-    const bool counts = ghosts == none || ghosts->GetValue(i) == 0;
+    const bool counts =
+      shown[static_cast<std::size_t>(i)] != 0 && (ghosts == none || ghosts->GetValue(i) == 0);
     const double value = counts ? MagnitudeOf(array, i) : vtkMath::Nan();
     const bool isTooLarge = std::abs(value) > SkdComparable.Largest;
     if (isTooLarge && skd::IsFinite(x) && this->TooLarge.insert(x).second &&

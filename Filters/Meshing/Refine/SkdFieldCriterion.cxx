@@ -4,8 +4,10 @@
 
 #include "Cells/Search/SkdVisitCandidates.h"
 #include "Meshing/Refine/SkdSecondDifference.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -15,8 +17,10 @@ namespace skdtree
 {
 namespace
 {
-std::vector<double> ValuesOf(vtkDataArray* array)
+/// NaN of what is hidden.
+std::vector<double> ValuesOf(vtkDataArray* array, vtkDataSet* mesh, int type)
 {
+  const std::vector<unsigned char> shown = SkdFindShown(mesh, type);
   const int components = array->GetNumberOfComponents();
   std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -28,7 +32,7 @@ std::vector<double> ValuesOf(vtkDataArray* array)
       values[i] = value;
       sum2 += value * value;
     }
-    values[i] = components == 1 ? values[i] : std::sqrt(sum2);
+    values[i] = shown[i] == 0 ? vtkMath::Nan() : components == 1 ? values[i] : std::sqrt(sum2);
   }
   return values;
 }
@@ -80,15 +84,18 @@ void SkdFieldCriterion::TakeArray(std::uint32_t part, vtkDataSet* mesh, const st
   const bool isGradient = this->Settings.Test == SkdFieldTest::Gradient;
   if (ofPoints && isGradient)
   {
-    this->Columns.push_back({ part, name, false, ValuesOf(ofPoints), 0.0, {} });
+    this->Columns.push_back(
+      { part, name, false, ValuesOf(ofPoints, mesh, vtkDataObject::POINT), 0.0, {} });
   }
   else if (ofPoints)
   {
-    this->Columns.push_back({ part, name, true, ValuesOf(ofPoints), 0.0, {} });
+    this->Columns.push_back(
+      { part, name, true, ValuesOf(ofPoints, mesh, vtkDataObject::POINT), 0.0, {} });
   }
   else if (ofCells && !isGradient)
   {
-    this->Columns.push_back({ part, name, false, ValuesOf(ofCells), 0.0, {} });
+    this->Columns.push_back(
+      { part, name, false, ValuesOf(ofCells, mesh, vtkDataObject::CELL), 0.0, {} });
   }
   else
   {
