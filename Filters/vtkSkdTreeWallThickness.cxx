@@ -158,7 +158,7 @@ Numbers CountStarts(const std::vector<SkdRayStarts>& starts)
   for (const SkdRayStarts& start : starts)
   {
     numbers.Samples += start.GetNumber();
-    numbers.Requested += start.GetNumber() - start.Inner;
+    numbers.Requested += start.GetNumber() - start.Inner - start.CountHidden();
     numbers.WithoutRay += start.CountWithoutRay();
   }
   return numbers;

@@ -11,8 +11,11 @@
 
 #include "vtkAppendFilter.h"
 #include "vtkSkdTreeCellLocator.h"
+#include "vtkSkdTreeClosestPoint.h"
 #include "vtkSkdTreeMeshAdaptation.h"
 #include "vtkSkdTreeMeshRefinement.h"
+#include "vtkSkdTreeRays.h"
+#include "vtkSkdTreeWallThickness.h"
 
 #include <gtest/gtest.h>
 
@@ -94,6 +97,7 @@ TEST(HiddenCells, AreKeptByRefinementWithoutAWord)
   }
 }
 
+// They would cut cells beside them.
 TEST(HiddenCells, AreNotRefined)
 {
   const auto mesh = MakeGrid(Hexahedra(2));
@@ -145,4 +149,50 @@ TEST(HiddenCells, HaveNoPartInAFieldThatAMeshFollows)
   }
   EXPECT_FALSE(areas[0].empty());
   EXPECT_EQ(areas[0], areas[1]);
+}
+
+TEST(HiddenCells, SendNoRays)
+{
+  const Pair pair;
+  for (const int start : { vtkSkdTreeRays::POINTS, vtkSkdTreeRays::CELL_CENTERS })
+  {
+    std::vector<vtkIdType> hits;
+    for (vtkDataObject* mesh : std::vector<vtkDataObject*>{ pair.Blocks, pair.Shown })
+    {
+      const auto filter = MakeOf<vtkSkdTreeRays>(mesh, Ball());
+      EventCounter events(filter);
+      filter->SetStart(start);
+      filter->SetAlongToDirection();
+      filter->SetDirection(0.5, 0.6, 0.7);
+      filter->SetHitsToAllHits();
+      filter->Update();
+      EXPECT_EQ(events.Warnings, 0) << events.Warning;
+      hits.push_back(filter->GetOutputDataObject(1)->GetNumberOfElements(vtkDataObject::POINT));
+    }
+    EXPECT_EQ(hits[0], hits[1]);
+    EXPECT_GT(hits[0], 0);
+  }
+}
+
+TEST(HiddenCells, HaveNoLinesToWhatIsNearest)
+{
+  const Pair pair;
+  const auto filter = MakeOf<vtkSkdTreeClosestPoint>(pair.Blocks, Ball());
+  filter->GenerateLinesOn();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutputDataObject(1)->GetNumberOfElements(vtkDataObject::CELL),
+    pair.Shown->GetNumberOfPoints());
+}
+
+TEST(HiddenCells, HaveNoThicknessAndNoneIsMissed)
+{
+  Mesh mesh = SphereTriangles(6);
+  mesh.Add(VTK_TRIANGLE, { mesh.Add({ 3, 0, 0 }), mesh.Add({ 4, 0, 0 }), mesh.Add({ 3, 1, 0 }) });
+  const auto surface = MakePolyData(mesh);
+  MarkGhosts(surface, { surface->GetNumberOfCells() - 1 }, vtkDataSetAttributes::HIDDENCELL);
+  const auto filter = MakeOf<vtkSkdTreeWallThickness>(surface, nullptr);
+  EventCounter events(filter);
+  filter->SetNumberOfRays(1);
+  filter->Update();
+  EXPECT_EQ(events.Warnings, 0) << events.Warning;
 }

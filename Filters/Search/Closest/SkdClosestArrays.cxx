@@ -5,6 +5,7 @@
 #include "Cells/Read/SkdForEach.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkMath.h"
@@ -91,9 +92,11 @@ void SkdConnectClosest(const std::vector<SkdBlock>& meshes,
   {
     data.push_back(meshes[mesh].Mesh->GetPointData());
     const bool areAll = listed.empty() || listed[mesh].empty();
+    const std::vector<unsigned char> shown = SkdFindShown(meshes[mesh].Mesh, vtkDataObject::POINT);
     for (vtkIdType i = 0; i < answers[mesh].GetNumberOfPoints(); ++i)
     {
-      const bool isListed = areAll || listed[mesh][static_cast<std::size_t>(i)] != 0;
+      const bool isListed = (areAll || listed[mesh][static_cast<std::size_t>(i)] != 0) &&
+        shown[static_cast<std::size_t>(i)] != 0;
       if (isListed && answers[mesh].GetBlock(i) >= 0)
       {
         double x[3];

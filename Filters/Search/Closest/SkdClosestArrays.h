@@ -52,9 +52,9 @@ private:
   std::vector<int> Blocks;
 };
 
-/// Fills `lines` with a line from each point of `meshes` with a result to its nearest point. Cell
-/// data are the point arrays that all meshes have in common, without ghost marks. `listed` says of
-/// which points, by mesh (see SkdFilterInputs::FindCounted).
+/// Fills `lines` with a line from each point of `meshes` that is shown and has a result to its
+/// nearest point. Cell data are the point arrays that all meshes have in common, without ghost
+/// marks. `listed` says of which points, by mesh (see SkdFilterInputs::FindCounted).
 void SkdConnectClosest(const std::vector<SkdBlock>& meshes,
   const std::vector<SkdClosestArrays>& answers,
   const std::vector<std::vector<unsigned char>>& listed, vtkPolyData* lines);

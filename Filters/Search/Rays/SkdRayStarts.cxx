@@ -5,6 +5,7 @@
 #include "Cells/Curved/SkdCurvedFaces.h"
 #include "Cells/Read/SkdForEach.h"
 #include "Cells/Read/SkdMagnitudes.h"
+#include "Pipeline/SkdShownElements.h"
 #include "Pipeline/SkdVolumeCells.h"
 #include "Search/Rays/SkdCurvedFacePoints.h"
 #include "Search/Rays/SkdSurfaceNormals.h"
@@ -63,6 +64,14 @@ SkdRayStarts::SkdRayStarts(vtkDataSet* mesh, SkdQueryPoints::At at, const SkdRay
       direction = -1.0 * direction;
     }
   }
+  SkdForEach(this->Directions.size(),
+    [&](std::size_t i)
+    { this->Directions[i] = this->Shown[i] != 0 ? this->Directions[i] : Vector3{}; });
+}
+
+vtkIdType SkdRayStarts::CountHidden() const
+{
+  return std::count(this->Shown.begin(), this->Shown.end(), 0);
 }
 
 vtkIdType SkdRayStarts::CountWithoutRay() const
@@ -71,7 +80,7 @@ vtkIdType SkdRayStarts::CountWithoutRay() const
   for (std::size_t i = 0; i < this->Points.size(); ++i)
   {
     const bool hasRay = SkdHasDistances(this->Points[i]) && skd::Norm2(this->Directions[i]) > 0.0;
-    count += hasRay ? 0 : 1;
+    count += hasRay || this->Shown[i] == 0 ? 0 : 1;
   }
   return count - this->Inner;
 }
@@ -80,6 +89,8 @@ void SkdRayStarts::ReadPoints(vtkDataSet* mesh, SkdQueryPoints::At at)
 {
   const SkdQueryPoints starts(mesh, at);
   this->Points.resize(static_cast<std::size_t>(starts.GetNumber()));
+  this->Shown = SkdFindShown(
+    mesh, at == SkdQueryPoints::At::Points ? vtkDataObject::POINT : vtkDataObject::CELL);
   SkdForEach(this->Points.size(),
     [&](std::size_t i) { starts.GetPoint(static_cast<vtkIdType>(i), this->Points[i].X); });
   if (at == SkdQueryPoints::At::Points)

@@ -49,7 +49,10 @@ public:
   /// The points within a mesh of volume cells, which have no normal.
   vtkIdType Inner = 0;
 
-  /// The number of starts that are not finite or have no direction, without inner points.
+  /// The number of starts that are hidden, which have no ray either.
+  vtkIdType CountHidden() const;
+
+  /// The number of others that are not finite or have no direction, without inner points.
   vtkIdType CountWithoutRay() const;
 
 private:
@@ -59,6 +62,8 @@ private:
   void FaceNearest(const SkdSourceTrees& source);
   bool Read(vtkDataArray* vectors, const std::string& what);
   void Face(const std::vector<skd::Vector3>& targets);
+
+  std::vector<unsigned char> Shown; // each start
 };
 }
 
