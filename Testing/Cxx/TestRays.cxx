@@ -6,6 +6,7 @@
 #include "Support/EventCounter.h"
 #include "Support/FilterRun.h"
 #include "Support/MakeOf.h"
+#include "Support/StructuredMeshes.h"
 #include "Support/SurfaceMeshes.h"
 
 #include "Search/Rays/SkdSurfaceNormals.h"
@@ -343,4 +344,33 @@ TEST(Rays, BadInputIsOneMessageEach)
   EXPECT_NEAR(distances[2], 2.0, 1e-9);
 }
 
+}
+
+// Of spacings that are no binary numbers, hits on faces are beyond the cell by rounding.
+TEST(Rays, DataOfVoxelsAndPixelsAreExactOnTheirFaces)
+{
+  for (const int across : { -1, 0, 1, 2 })
+  {
+    const auto image = across < 0 ? MakeImage(5) : MakeFlatImage(5, across);
+    image->SetOrigin(0.1, 0.7, -0.3);
+    image->SetSpacing(0.9, 0.3, 0.7);
+    const auto source = WithData(image);
+    auto filter = MakeFilter(RandomRays(source, 2000), source);
+    filter->SetAlongToArray();
+    filter->SetDirectionArray("Vectors");
+    filter->InterpolateSourceDataOn();
+    const std::vector<double> values = ValuesOf(filter, "Linear");
+    const std::vector<double> hits = ValuesOf(filter, "SkdRayHitPoint");
+    ASSERT_EQ(values.size(), 2000u);
+    int found = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      if (std::isfinite(values[i]))
+      {
+        ++found;
+        EXPECT_NEAR(values[i], Linear({ hits[3 * i], hits[3 * i + 1], hits[3 * i + 2] }), 1e-12);
+      }
+    }
+    EXPECT_GT(found, 50);
+  }
 }

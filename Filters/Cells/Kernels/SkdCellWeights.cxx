@@ -21,6 +21,15 @@
 
 namespace skdtree
 {
+namespace
+{
+/// Cells to which VTK gives no weights at points outside, as where rounding puts those on a face.
+bool IsAlongAxes(int type)
+{
+  return type == VTK_VOXEL || type == VTK_PIXEL;
+}
+}
+
 void SkdCellWeights::Load(vtkDataSet* mesh, vtkIdType cellId)
 {
   SkdLoadCell(mesh, cellId, this->Cell);
@@ -96,6 +105,11 @@ void SkdCellWeights::EvaluateByCell(const Vector& x)
   if (status == -1 || !(dist2 < std::numeric_limits<double>::max()))
   {
     std::fill(this->Weights.begin(), this->Weights.end(), 0.0);
+    return;
+  }
+  if (status == 0 && IsAlongAxes(this->Cell->GetCellType()))
+  {
+    SkdCellFunctions::Interpolate(this->Cell, this->PCoords, this->Weights.data());
   }
 }
 
