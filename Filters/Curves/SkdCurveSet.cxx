@@ -7,15 +7,14 @@
 #include "Core/Curves/BernsteinBasis.h"
 #include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkCardinalSpline.h"
 #include "vtkCell.h"
 #include "vtkCellType.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkKochanekSpline.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 
@@ -24,12 +23,6 @@ namespace skdtree
 namespace
 {
 constexpr double LeastLength = 1e-140; // of what has squares, and a largest length of its inverse
-
-bool IsGhost(vtkUnsignedCharArray* ghosts, vtkIdType cellId)
-{
-  constexpr int hidden = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
-  return ghosts && (ghosts->GetValue(cellId) & hidden);
-}
 
 std::vector<skd::Vector3> PointsOf(vtkCell* cell)
 {
@@ -140,11 +133,11 @@ void SkdCurveSet::Read(
   for (std::size_t block = 0; block < blocks.size(); ++block)
   {
     vtkDataSet* mesh = blocks[block].Mesh;
-    vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+    const std::vector<unsigned char> counted = SkdFindCounted(mesh);
     const std::vector<unsigned char> own = SkdOwnCellsOf(mesh);
     for (vtkIdType cellId = 0; cellId < mesh->GetNumberOfCells(); ++cellId)
     {
-      if (IsGhost(ghosts, cellId))
+      if (counted[static_cast<std::size_t>(cellId)] == 0)
       {
         continue;
       }

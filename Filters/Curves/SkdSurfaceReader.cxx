@@ -6,12 +6,11 @@
 #include "Cells/Read/SkdFaceList.h"
 #include "Core/Geometry/Polygons/ConvexHull.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkCell.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -20,13 +19,6 @@ namespace skdtree
 {
 namespace
 {
-bool IsGhost(vtkUnsignedCharArray* ghosts, vtkIdType cellId)
-{
-  constexpr int hidden = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
-    vtkDataSetAttributes::REFINEDCELL;
-  return ghosts && (ghosts->GetValue(cellId) & hidden);
-}
-
 skd::Vector3 PointOf(vtkCell* cell, vtkIdType i)
 {
   skd::Vector3 point;
@@ -104,11 +96,12 @@ private:
 void SkdSurfaceReader::Read(vtkDataSet* mesh, int block)
 {
   this->Block = block;
-  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  const std::vector<unsigned char> counted = SkdFindCounted(mesh);
   std::vector<vtkIdType> volumes;
   for (vtkIdType cellId = 0; cellId < mesh->GetNumberOfCells(); ++cellId)
   {
-    if (IsGhost(ghosts, cellId) || mesh->GetCellType(cellId) == VTK_EMPTY_CELL)
+    if (counted[static_cast<std::size_t>(cellId)] == 0 ||
+      mesh->GetCellType(cellId) == VTK_EMPTY_CELL)
     {
       continue;
     }

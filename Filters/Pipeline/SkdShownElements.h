@@ -84,6 +84,19 @@ inline std::vector<unsigned char> SkdFindShown(vtkDataSet* mesh, int type)
   }
   return shown;
 }
+
+/// 1 for each cell that is shown and not another piece's.
+inline std::vector<unsigned char> SkdFindCounted(vtkDataSet* mesh)
+{
+  std::vector<unsigned char> counted = SkdFindShown(mesh, vtkDataObject::CELL);
+  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  for (std::size_t i = 0; ghosts && i < counted.size(); ++i)
+  {
+    const unsigned char mark = ghosts->GetValue(static_cast<vtkIdType>(i));
+    counted[i] = (mark & vtkDataSetAttributes::DUPLICATECELL) != 0 ? 0 : counted[i];
+  }
+  return counted;
+}
 }
 
 #endif

@@ -112,15 +112,13 @@ std::vector<std::string> SkdFieldProblems::GetWarnings(
 std::vector<unsigned char> SkdFindCounts(vtkDataSet* donor, int type, const SkdFieldRules& rules)
 {
   vtkDataSetAttributes* data = donor->GetAttributes(type);
-  std::vector<unsigned char> counts = SkdFindShown(donor, type);
-  vtkUnsignedCharArray* ghosts = type == vtkDataObject::CELL ? donor->GetCellGhostArray() : nullptr;
+  std::vector<unsigned char> counts =
+    type == vtkDataObject::CELL ? SkdFindCounted(donor) : SkdFindShown(donor, type);
   vtkDataArray* mask = rules.Mask.empty() ? nullptr : data->GetArray(rules.Mask.c_str());
-  for (vtkIdType i = 0; i < donor->GetNumberOfElements(type); ++i)
+  for (std::size_t i = 0; mask && i < counts.size(); ++i)
   {
-    const bool isGhost = ghosts && (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATECELL) != 0;
-    const bool isMasked = mask && !(mask->GetComponent(i, 0) != 0.0);
-    unsigned char& count = counts[static_cast<std::size_t>(i)];
-    count = isGhost || isMasked ? 0 : count;
+    const bool isMasked = !(mask->GetComponent(static_cast<vtkIdType>(i), 0) != 0.0);
+    counts[i] = isMasked ? 0 : counts[i];
   }
   return counts;
 }

@@ -12,6 +12,8 @@
 #include "vtkAppendFilter.h"
 #include "vtkSkdTreeCellLocator.h"
 #include "vtkSkdTreeClosestPoint.h"
+#include "vtkSkdTreeCurveIntersection.h"
+#include "vtkSkdTreeCurveSurfaceIntersection.h"
 #include "vtkSkdTreeMeshAdaptation.h"
 #include "vtkSkdTreeMeshRefinement.h"
 #include "vtkSkdTreeRays.h"
@@ -38,6 +40,14 @@ vtkSmartPointer<vtkStructuredGrid> WithHiddenPoints()
   grid->BlankPoint(0);
   grid->BlankPoint(21);
   return grid;
+}
+
+vtkSmartPointer<vtkImageData> ImageWithHiddenPoint(int n)
+{
+  auto image = MakeImage(n);
+  image->AllocatePointGhostArray();
+  image->GetPointGhostArray()->SetValue(0, vtkDataSetAttributes::HIDDENPOINT);
+  return image;
 }
 
 /// With other values where nothing is shown, and what is shown alone.
@@ -107,6 +117,25 @@ TEST(HiddenCells, AreNotRefined)
   filter->SetMethod(vtkSkdTreeMeshRefinement::REGULAR);
   filter->Update();
   EXPECT_EQ(Reported(filter, "Cells"), 6 * 8 + 2);
+}
+
+TEST(HiddenCells, HaveNoFacesForCurvesAndAreNoCurves)
+{
+  const auto image = ImageWithHiddenPoint(1);
+  Mesh mesh;
+  mesh.Add(VTK_LINE, { mesh.Add({ -2, 0.6, 2.1 }), mesh.Add({ 2, 0.7, 2.2 }) });
+  const auto line = MakePolyData(mesh);
+  const auto faces = MakeOf<vtkSkdTreeCurveSurfaceIntersection>(line, image);
+  faces->VolumeFacesOn();
+  faces->Update();
+  EXPECT_EQ(Reported(faces, "Hits"), 0.0);
+  const auto row = vtkSmartPointer<vtkImageData>::New();
+  row->SetDimensions(5, 1, 1);
+  row->SetOrigin(-1.7, 0.65, 2.15);
+  MarkGhosts(row, { 0, 1, 2, 3 }, vtkDataSetAttributes::REFINEDCELL);
+  const auto curves = MakeOf<vtkSkdTreeCurveIntersection>(row, line);
+  curves->Update();
+  EXPECT_EQ(Reported(curves, "Curves"), 0.0);
 }
 
 TEST(HiddenCells, HaveNoPartInTheRangeOfAField)
