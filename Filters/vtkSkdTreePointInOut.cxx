@@ -9,6 +9,7 @@
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSearchRange.h"
 #include "Pipeline/SkdSetText.h"
+#include "Pipeline/SkdShownElements.h"
 #include "Pipeline/SkdSubset.h"
 #include "Pipeline/SkdVolumeCells.h"
 #include "Search/InOut/SkdPartClassifier.h"
@@ -112,14 +113,16 @@ SkdInOuts ListAnswers(const std::vector<SkdInOut>& found)
   return answers;
 }
 
-/// The cells or points with the requested result, as a grid.
+/// The cells or points that are shown and have the requested result, as a grid.
 vtkSmartPointer<vtkUnstructuredGrid> ExtractThose(
   vtkDataSet* mesh, const SkdInOuts& answers, bool wantsInside, bool ofCells)
 {
+  const std::vector<unsigned char> shown =
+    SkdFindShown(mesh, ofCells ? vtkDataObject::CELL : vtkDataObject::POINT);
   std::vector<vtkIdType> those;
   for (vtkIdType i = 0; i < answers.GetNumber(); ++i)
   {
-    if (answers.IsInside(i) == wantsInside)
+    if (answers.IsInside(i) == wantsInside && shown[static_cast<std::size_t>(i)] != 0)
     {
       those.push_back(i);
     }

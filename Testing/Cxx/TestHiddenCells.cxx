@@ -16,6 +16,7 @@
 #include "vtkSkdTreeCurveSurfaceIntersection.h"
 #include "vtkSkdTreeMeshAdaptation.h"
 #include "vtkSkdTreeMeshRefinement.h"
+#include "vtkSkdTreePointInOut.h"
 #include "vtkSkdTreeRays.h"
 #include "vtkSkdTreeWallThickness.h"
 
@@ -117,6 +118,38 @@ TEST(HiddenCells, AreNotRefined)
   filter->SetMethod(vtkSkdTreeMeshRefinement::REGULAR);
   filter->Update();
   EXPECT_EQ(Reported(filter, "Cells"), 6 * 8 + 2);
+}
+
+TEST(HiddenCells, StayHiddenWhereAGridIsRefined)
+{
+  const auto filter = MakeOf<vtkSkdTreeMeshRefinement>(ImageWithHiddenPoint(3), nullptr);
+  filter->SetMaximumLevel(1);
+  filter->SetMethod(vtkSkdTreeMeshRefinement::REGULAR);
+  filter->Update();
+  auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_EQ(output->GetNumberOfCells(), 26 * 8 + 1);
+  EXPECT_EQ(output->GetCellType(0), VTK_EMPTY_CELL);
+  EXPECT_NE(output->GetCellType(1), VTK_EMPTY_CELL);
+}
+
+TEST(HiddenCells, AreNotExtracted)
+{
+  using InOut = vtkSkdTreePointInOut;
+  const Pair pair;
+  for (const int ask : { InOut::POINTS, InOut::CELL_CENTERS })
+  {
+    std::vector<vtkIdType> cells;
+    for (vtkDataObject* mesh : std::vector<vtkDataObject*>{ pair.Blocks, pair.Shown })
+    {
+      const auto filter = MakeOf<InOut>(mesh, Ball());
+      filter->SetAsk(ask);
+      filter->SetExtract(InOut::INSIDE);
+      filter->Update();
+      cells.push_back(filter->GetOutputDataObject(1)->GetNumberOfElements(vtkDataObject::CELL));
+    }
+    EXPECT_EQ(cells[0], cells[1]);
+    EXPECT_GT(cells[0], 0);
+  }
 }
 
 TEST(HiddenCells, HaveNoFacesForCurvesAndAreNoCurves)

@@ -7,6 +7,7 @@
 #include "Meshing/Refine/SkdBlockPoints.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -91,6 +92,7 @@ public:
     , Input(block.Input.Mesh)
     , Reader(block.Input.Mesh)
     , Points(read, block)
+    , Shown(SkdFindShown(block.Input.Mesh, vtkDataObject::CELL))
   {
     for (std::uint32_t cell = block.FirstCell; cell < block.LastCell; ++cell)
     {
@@ -171,6 +173,13 @@ private:
       static_cast<std::size_t>(newPoint - this->Points.GetNumberOfOldPoints()));
   }
 
+  /// Cells that are hidden by their points, too, have no type in a grid of listed cells.
+  int TypeOfInput(vtkIdType cell) const
+  {
+    const bool isShown = this->Shown[static_cast<std::size_t>(cell)] != 0;
+    return isShown || !SkdIsStructured(this->Input) ? this->Reader.TypeOf(cell) : VTK_EMPTY_CELL;
+  }
+
   void ListLeavesOf(std::uint32_t cell, vtkIdType input)
   {
     const Cell& at = this->Read.Mesh[cell];
@@ -180,7 +189,7 @@ private:
     }
     if (at.IsLeaf())
     {
-      const int inputType = this->Reader.TypeOf(input);
+      const int inputType = this->TypeOfInput(input);
       const bool isStrip = inputType == VTK_TRIANGLE_STRIP && at.Size > 0;
       const bool isWhole = cell < this->Block.LastCell && !isStrip;
       this->Parts.push_back({ cell, isWhole ? inputType : TypeOf(at), isWhole });
@@ -222,6 +231,7 @@ private:
   vtkDataSet* Input;
   SkdCellReader Reader;
   SkdBlockPoints Points;
+  std::vector<unsigned char> Shown; // of the input's cells
   std::vector<Part> Parts;
   vtkNew<vtkIdList> List;
   vtkIdType InputIdsAre = -1;
