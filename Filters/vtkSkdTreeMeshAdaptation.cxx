@@ -124,7 +124,7 @@ int vtkSkdTreeMeshAdaptation::FillInputPortInformation(int port, vtkInformation*
   this->Superclass::FillInputPortInformation(port, info);
   if (port == 0)
   {
-    SkdAccept(info, { "vtkPointSet", "vtkCompositeDataSet" });
+    SkdAccept(info, { "vtkPointSet", "vtkCompositeDataSet", "vtkDataObject" });
   }
   return 1;
 }

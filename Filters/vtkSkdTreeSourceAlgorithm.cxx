@@ -129,6 +129,10 @@ int vtkSkdTreeSourceAlgorithm::TypeFor(int outputType, vtkDataObject* input)
   {
     return SkdIsComposite(input) ? VTK_MULTIBLOCK_DATA_SET : VTK_UNSTRUCTURED_GRID;
   }
+  if (outputType == LIKE_INPUT && !SkdIsComposite(input) && !vtkDataSet::SafeDownCast(input))
+  {
+    return VTK_UNSTRUCTURED_GRID; // it stays empty
+  }
   return outputType == LIKE_INPUT ? input->GetDataObjectType() : outputType;
 }
 

@@ -76,12 +76,16 @@ bool Fit(vtkDataObject* piece, vtkDataObject* own, vtkMultiProcessController* co
 }
 
 /// What kind of data a piece is, of those that can be joined: a mesh, one kind of composite data,
-/// or none.
+/// none, or something else.
 int KindOf(vtkDataObject* piece)
 {
+  constexpr int ofOthers = -3;
   constexpr int ofNone = -2;
   constexpr int ofMeshes = -1;
-  return !piece ? ofNone : SkdIsComposite(piece) ? piece->GetDataObjectType() : ofMeshes;
+  return !piece                       ? ofNone
+    : SkdIsComposite(piece)           ? piece->GetDataObjectType()
+    : vtkDataSet::SafeDownCast(piece) ? ofMeshes
+                                      : ofOthers;
 }
 
 /// Where the whole of an input is of another class than a process's piece, which its outputs that
@@ -158,11 +162,12 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
   std::vector<vtkSmartPointer<vtkInformationVector>> retained;
   std::vector<vtkInformationVector*> whole;
   const bool areAlike = this->CheckKinds(outputs);
-  if (areAlike)
+  const bool isRefused = areAlike && SkdRefuseOthers(this->Filter, inputs);
+  if (areAlike && !isRefused)
   {
     this->GatherAll(valid.Get(), outputs, retained, whole);
   }
-  const bool isFit = areAlike && this->CheckGlobalIds(this->FindRepeatedId());
+  const bool isFit = areAlike && !isRefused && this->CheckGlobalIds(this->FindRepeatedId());
   const bool isCounted = isFit && this->CountCells(whole);
   int result = isFit ? process(whole.data()) : 0;
   this->Pieces.clear(); // or their data would stay
@@ -170,11 +175,16 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
   {
     this->Counted.Restore(outputs);
   }
-  const bool isTogether = !areAlike || isCounted || !this->Whole.empty() || !this->Nearby.empty() ||
-    !this->Spread.empty();
+  const bool isTogether = !areAlike || isRefused || isCounted || !this->Whole.empty() ||
+    !this->Nearby.empty() || !this->Spread.empty();
   const SkdSharedMessages::Outcome outcome =
     isTogether ? messages.SayOnce(!this->NeedsWhole(0)) : SkdSharedMessages::Outcome();
-  if (outcome.IsAbortedAnywhere)
+  if (isRefused)
+  {
+    Empty(outputs);
+    result = 1;
+  }
+  else if (outcome.IsAbortedAnywhere)
   {
     Abort(this->Filter, outputs);
     result = 1;

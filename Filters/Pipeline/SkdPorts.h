@@ -30,10 +30,11 @@ inline void SkdAccept(vtkInformation* port, std::initializer_list<const char*> c
   }
 }
 
-/// An input of any vtkDataSet, or composite of them.
+/// An input of any vtkDataSet, or composite of them. Others are refused when data are requested
+/// (SkdRefuseOthers): VTK would complain once for each request.
 inline void SkdAcceptMeshes(vtkInformation* port)
 {
-  SkdAccept(port, { "vtkDataSet", "vtkCompositeDataSet" });
+  SkdAccept(port, { "vtkDataSet", "vtkCompositeDataSet", "vtkDataObject" });
 }
 
 /// Requests the whole of an input, whatever piece of the output is requested.

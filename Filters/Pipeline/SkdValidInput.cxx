@@ -196,6 +196,29 @@ SkdValidInput::SkdValidInput(
 }
 
 //------------------------------------------------------------------------------
+bool SkdRefuseOthers(vtkAlgorithm* filter, vtkInformationVector** inputs)
+{
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkDataObject* object = vtkDataObject::GetData(inputs[port], i);
+      if (!object || SkdIsComposite(object) || vtkDataSet::SafeDownCast(object))
+      {
+        continue;
+      }
+      const bool isTree = object->GetDataObjectType() == VTK_HYPER_TREE_GRID;
+      vtkErrorWithObjectMacro(filter,
+        "Input port " << port << " is of type " << object->GetClassName()
+                      << ", which is neither a mesh nor composite data"
+                      << (isTree ? ": convert it by vtkHyperTreeGridToUnstructuredGrid." : "."));
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 void SkdValidInput::Report(vtkInformationVector* outputs) const
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs);

@@ -3,6 +3,8 @@
 #ifndef SkdValidInput_h
 #define SkdValidInput_h
 
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkSmartPointer.h"
 
@@ -48,12 +50,20 @@ private:
   std::vector<vtkInformationVector*> RepairedInputs;
 };
 
+/// Whether there is an input that is no data set and no composite of them. Then there is an error,
+/// and the outputs are to stay empty.
+bool SkdRefuseOthers(vtkAlgorithm* filter, vtkInformationVector** inputs);
+
 /// The ProcessRequest of a filter that has nothing else to do there: process(inputs) is that of its
 /// superclass.
 template <class Process>
 auto SkdProcessValid(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs,
   vtkInformationVector* outputs, const Process& process)
 {
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) && SkdRefuseOthers(filter, inputs))
+  {
+    return decltype(process(inputs))(1);
+  }
   const SkdValidInput valid(filter, request, inputs);
   const auto result = process(valid.Get());
   valid.Report(outputs);

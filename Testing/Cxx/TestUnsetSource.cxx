@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A required Source that is not set: one message and empty outputs, until it is set.
+// Inputs that filters cannot do without, or not with: one message and empty outputs.
 
+#include "Support/EachFilter.h"
 #include "Support/EventCounter.h"
 #include "Support/SurfaceMeshes.h"
 
 #include "vtkDataSet.h"
 #include "vtkExecutive.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkSkdTreeClosestPoint.h"
 #include "vtkSkdTreeCompareSurfaces.h"
 #include "vtkSkdTreeCurveSurfaceIntersection.h"
@@ -15,6 +17,7 @@
 #include "vtkSkdTreeProbe.h"
 #include "vtkSkdTreeRays.h"
 #include "vtkSkdTreeRemap.h"
+#include "vtkTable.h"
 
 #include <gtest/gtest.h>
 
@@ -52,6 +55,34 @@ TYPED_TEST(UnsetSource, IsOneMessage)
   filter->Update(); // the adaptation misses an array to adapt to
   EXPECT_EQ(events.Error.find("Source is not set"), std::string::npos) << events.Error;
   EXPECT_EQ(pipeline.Errors, 0) << pipeline.Error;
+}
+
+class InputsOfOtherTypes : public EachFilter
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(AllFilters, InputsOfOtherTypes,
+  testing::Range<std::size_t>(0, AllFilterSetups().size()),
+  [](const auto& info) { return AllFilterSetups()[info.param].Name; });
+
+TEST_P(InputsOfOtherTypes, AreOneError)
+{
+  const vtkNew<vtkHyperTreeGrid> trees;
+  const vtkNew<vtkTable> table;
+  for (vtkDataObject* other : std::vector<vtkDataObject*>{ trees, table })
+  {
+    const auto filter = this->Setup.Make(other);
+    EventCounter events(filter);
+    EventCounter pipeline(filter->GetExecutive());
+    filter->Update();
+    EXPECT_EQ(pipeline.Errors, 0) << pipeline.Error;
+    EXPECT_EQ(events.Errors, 1);
+    EXPECT_EQ(events.Warnings, 0) << events.Warning;
+    EXPECT_NE(events.Error.find(other->GetClassName()), std::string::npos) << events.Error;
+    vtkDataObject* output = filter->GetOutputDataObject(0);
+    ASSERT_NE(output, nullptr);
+    EXPECT_EQ(output->GetNumberOfElements(vtkDataObject::CELL), 0);
+  }
 }
 
 }
