@@ -108,6 +108,7 @@ class CoverTest
 public:
   CoverTest(const SimplexSet& whole, const SimplexSet& part, double tolerance)
     : Whole(whole)
+    , Groups(whole)
     , Other(part)
     , Tolerance(tolerance)
   {
@@ -137,7 +138,7 @@ private:
 
   bool Holds(const Vector3& x, double tolerance) const
   {
-    return IsWithin(this->Whole, x, tolerance);
+    return IsWithin(this->Groups, x, tolerance);
   }
   /// Of points that were computed.
   bool HoldsWitness(const Vector3& x) const
@@ -157,7 +158,7 @@ private:
         return;
       }
       transitions.assign({ 0.0, 1.0 });
-      ForEachTransition(edge, this->Whole, WitnessFactor * this->Tolerance,
+      ForEachTransition(edge, this->Groups, WitnessFactor * this->Tolerance,
         [&](double t) { transitions.push_back(t); });
       std::sort(transitions.begin(), transitions.end());
       for (std::size_t i = 1; i < transitions.size() && isHeld; ++i)
@@ -198,15 +199,15 @@ private:
   {
     bool isHeld = true;
     const Box3 bounds = BoundsOf(triangle.Corners).Inflated(this->Tolerance);
-    for (const SimplexSet::Simplex& other : this->Whole.Simplices)
-    {
-      const Triangle3 corners = this->Whole.Corners(other);
-      if (isHeld && bounds.Overlaps(BoundsOf(corners)))
+    this->Groups.ForEachOverlapping(bounds,
+      [&](const Triangle3& corners)
       {
-        triangle.ForEachCut(corners, this->Tolerance,
-          [&](const Segment<3>& cut) { isHeld = isHeld && this->HoldsBeside(triangle, cut); });
-      }
-    }
+        if (isHeld)
+        {
+          triangle.ForEachCut(corners, this->Tolerance,
+            [&](const Segment<3>& cut) { isHeld = isHeld && this->HoldsBeside(triangle, cut); });
+        }
+      });
     return isHeld;
   }
 
@@ -243,13 +244,14 @@ private:
   /// Whether a corner of the whole's boundary is inside of the part, whose own boundary is held.
   bool HasHollow() const
   {
+    const SimplexGroups others(this->Other);
     return std::any_of(this->Whole.Points.begin(), this->Whole.Points.end(),
-      [&](const Vector3& x) {
-        return !IsNear(this->Other, x, WitnessFactor * this->Tolerance) && Encloses(this->Other, x);
-      });
+      [&](const Vector3& x)
+      { return !IsNear(others, x, WitnessFactor * this->Tolerance) && Encloses(this->Other, x); });
   }
 
   const SimplexSet& Whole;
+  const SimplexGroups Groups; ///< of the whole
   const SimplexSet& Other;
   double Tolerance;
 };

@@ -12,13 +12,15 @@ namespace skd
 
 /// Whether x is in the set, and farther than `depth` from its boundary: the triangles of a solid,
 /// the rim of a surface, the ends of a curve. A point is its own inside.
-inline bool IsDeepIn(const SimplexSet& set, const Vector3& x, double tolerance, double depth)
+inline bool IsDeepIn(
+  const detail::SimplexGroups& groups, const Vector3& x, double tolerance, double depth)
 {
+  const SimplexSet& set = groups.GetSet();
   if (set.Dimension == 3)
   {
-    return !detail::IsNear(set, x, depth) && Encloses(set, x);
+    return !detail::IsNear(groups, x, depth) && Encloses(set, x);
   }
-  return detail::IsNear(set, x, tolerance) && RimDistance2(set, x) > depth * depth;
+  return detail::IsNear(groups, x, tolerance) && RimDistance2(set, x) > depth * depth;
 }
 
 namespace detail
@@ -28,7 +30,7 @@ namespace detail
 class Contacts
 {
 public:
-  Contacts(const SimplexSet& a, const SimplexSet& b, double tolerance)
+  Contacts(const SimplexGroups& a, const SimplexGroups& b, double tolerance)
     : Tolerance(tolerance)
   {
     this->Collect(a, b);
@@ -64,8 +66,9 @@ public:
   }
 
 private:
-  void Collect(const SimplexSet& one, const SimplexSet& other)
+  void Collect(const SimplexGroups& groups, const SimplexGroups& other)
   {
+    const SimplexSet& one = groups.GetSet();
     for (const Vector3& x : one.Points)
     {
       if (IsWithin(other, x, this->Tolerance))
@@ -96,9 +99,11 @@ private:
 inline bool InteriorsIntersect(const SimplexSet& a, const SimplexSet& b, double tolerance)
 {
   const double depth = 4.0 * tolerance;
-  return detail::Contacts(a, b, tolerance)
+  const detail::SimplexGroups as(a);
+  const detail::SimplexGroups bs(b);
+  return detail::Contacts(as, bs, tolerance)
     .AnyMiddle([&](const Vector3& x)
-      { return IsDeepIn(a, x, depth, depth) && IsDeepIn(b, x, depth, depth); });
+      { return IsDeepIn(as, x, depth, depth) && IsDeepIn(bs, x, depth, depth); });
 }
 
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Points, segments or triangles, or the solid that triangles enclose: the representation of a
-/// cell, box or line in tests of spatial relations. Its distances are in SimplexDistance.h; whether
-/// two sets meet is in SimplexContact.h, points that they share or do not are found in
-/// SimplexWitness.h, what covers what in SimplexCover.h, what insides share in SimplexInteriors.h.
+/// cell, box or line in tests of spatial relations. Its distances are in SimplexDistance.h, boxes
+/// of some of its simplices in SimplexGroups.h; whether two sets meet is in SimplexContact.h,
+/// points that they share or do not are found in SimplexWitness.h, what covers what in
+/// SimplexCover.h, what insides share in SimplexInteriors.h.
 ///
 /// Sets are closed: boundaries belong to them. The inside of a solid is determined by the parity of
 /// exact crossings, so its triangles may be oriented either way. Coordinates must be finite.
