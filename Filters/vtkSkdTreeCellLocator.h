@@ -28,6 +28,9 @@
  * - IntersectWithLine, all hits: each hit cell once, sorted by (t, cell id). A crossing of a shared
  *   edge or vertex is so reported once for each incident cell; FindCrossings merges these.
  * - FindClosestPoint and related methods: the exact nearest point; ties go to the lowest cell id.
+ *   Of a curved cell it is the nearest of all its points, to within rounding. Where a whole line of
+ *   them is as near, the distance may be too large by some 1e-7 of the cell's size, and of volume
+ *   cells of more than 512 points (order 8) it may be that of a local minimum.
  * - FindCell: the cell that contains the point (to within rounding: 8 units in the last place of
  *   the largest coordinate), the lowest id if there are several; otherwise, with a tolerance, the
  *   *nearest* cell within it. pcoords and weights are those of the point of the cell nearest to x.

@@ -150,6 +150,12 @@ skd::Vector3 SkdParametricCell::ParametersOfPoint(int i) const
 }
 
 //------------------------------------------------------------------------------
+const double* SkdParametricCell::RationalWeights() const
+{
+  return SkdCellFunctions::RationalWeights(this->Cell);
+}
+
+//------------------------------------------------------------------------------
 skd::Vector3 SkdParametricCell::Sum(const double* weights) const
 {
   skd::Vector3 sum{ { 0.0, 0.0, 0.0 } };

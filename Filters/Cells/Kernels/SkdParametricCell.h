@@ -41,6 +41,9 @@ public:
   void Tangents(const skd::Vector3& p, skd::Vector3 (&tangents)[3]) const;
   ///@}
 
+  /// The rational weights of the points, nullptr if there are none.
+  const double* RationalWeights() const;
+
   ///@{
   /// VTK's parametric coordinates.
   skd::Vector3 ToVTK(const skd::Vector3& p) const { return ToVTK(this->Type, p); }
@@ -64,7 +67,8 @@ private:
   double TheRounding;
 };
 
-/// The exact tests of parametric cells.
+/// The exact tests of parametric cells. The nearest point is the nearest of the whole cell: a local
+/// minimum is one answer of many, until the cell's Bernstein form shows that none is less.
 namespace SkdParametricKernel
 {
 SkdCellPoint Closest(vtkCell* cell, const skd::Vector3& x);

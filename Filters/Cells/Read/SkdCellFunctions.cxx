@@ -193,6 +193,15 @@ void SkdCellFunctions::ReadRationalWeights(vtkDataSet* data, vtkGenericCell* cel
 }
 
 //------------------------------------------------------------------------------
+const double* SkdCellFunctions::RationalWeights(vtkCell* cell)
+{
+  vtkDoubleArray* weights =
+    IsBezier(cell->GetCellType()) ? RationalWeightsOf(RealCell(cell)) : nullptr;
+  const bool isRational = weights && weights->GetNumberOfTuples() == cell->GetNumberOfPoints();
+  return isRational ? weights->GetPointer(0) : nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool SkdCellFunctions::ShareMemory(int cellType)
 {
   return cellType == VTK_LAGRANGE_WEDGE || cellType == VTK_BEZIER_WEDGE;

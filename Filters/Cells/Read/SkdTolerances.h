@@ -20,6 +20,10 @@ constexpr double PieceDistance2 = 1e-14;
 /// Of the length of an edge, or the size of a side, of a curved cell: those that depart less from a
 /// straight one are straight. Far above what single precision leaves of the points.
 constexpr double StraightSide = 1e-6;
+/// Of a cell's interpolation functions, which are about 1: what their Bernstein form may be off by.
+constexpr double SameFunction = 1e-9;
+/// Of their coefficients: less is 0.
+constexpr double NoTerm = 1e-14;
 /// Of the degree that a number of points makes, a whole number.
 constexpr double Degree = 1e-9;
 

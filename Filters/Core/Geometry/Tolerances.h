@@ -69,6 +69,12 @@ constexpr double LeastCurvature = 1e-3;
 constexpr double SecondDifference = 1e-4;
 /// A pivot that is positive for certain, relative to the entry on the diagonal.
 constexpr double Pivot = 1e-13;
+/// How far from the plane of a part of a domain a point on it may be, in parameters.
+constexpr double OnPart = 1e-12;
+/// How far beside a part of a domain a minimum may be that is used for it, in its own parameters.
+constexpr double NearPart = 1e-6;
+/// Of the polynomial of a squared distance, relative to its size.
+constexpr double SquareRounding = 1e-14;
 /// A force of a constraint that is not rounding, relative to the gradient.
 constexpr double Force = 1e-14;
 

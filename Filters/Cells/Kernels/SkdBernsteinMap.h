@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdBernsteinMap_h
+#define SkdBernsteinMap_h
+
+#include "Core/Geometry/Cells/DistanceForm.h"
+#include "Core/Geometry/Cells/ParameterDomain.h"
+
+#include <vector>
+
+class vtkCell;
+
+namespace skdtree
+{
+/// From the points of a type of curved cells to the Bernstein form of their map: control points are
+/// sums of points. Made of the type's interpolation functions, whatever they are, as long as they
+/// are polynomials, or those of rational Bezier cells. Constant; one for all cells of a type, of a
+/// number of points and of an order.
+class SkdBernsteinMap
+{
+public:
+  /// That of a cell; nullptr if it has none: of volume cells of more than MostPoints points it
+  /// would cost too much. Thread-safe; locks only when the type changes.
+  static const SkdBernsteinMap* Of(vtkCell* cell, const skd::ParameterDomain& domain);
+
+  const skd::DistanceForm& GetDistanceForm() const { return this->Form; }
+
+  /// Sets the control points, three arrays of the layout's size, of points seen from an origin.
+  /// With weights (unless nullptr) of the points both are multiplied by them; those of the control
+  /// points are set, too.
+  void Convert(const skd::Vector3* points, const skd::Vector3& origin, const double* weights,
+    double* const (&controls)[3], double* controlWeights) const;
+
+private:
+  static constexpr int MostPoints = 512;
+
+  struct Key
+  {
+    int Type = -1;
+    int Size = 0;
+    int Order[3] = { 0, 0, 0 };
+    bool operator==(const Key& other) const;
+  };
+
+  static Key KeyOf(vtkCell* cell);
+  static const SkdBernsteinMap& Make(
+    vtkCell* cell, const skd::ParameterDomain& domain, const Key& key);
+
+  bool Fit(vtkCell* cell, const skd::BernsteinLayout& layout);
+  void Compress(const std::vector<double>& matrix);
+
+  Key TheKey;
+  bool IsUsable = false;
+  skd::DistanceForm Form;
+  struct Term
+  {
+    int Point;
+    double Factor;
+  };
+  std::vector<int> Begins; ///< of the terms of each control point, and their end
+  std::vector<Term> Terms;
+};
+}
+
+#endif
