@@ -105,11 +105,11 @@ vtkCell* SkdCellSource::Load(vtkIdType id) const
 }
 
 //------------------------------------------------------------------------------
-SkdCellPoint SkdGenericKernel::Closest(vtkCell* cell, const skd::Vector3& x)
+SkdCellPoint SkdGenericKernel::Closest(vtkCell* cell, const skd::Vector3& x, double limit2)
 {
   if (SkdParametricCell::DomainOf(cell->GetCellType()))
   {
-    return SkdParametricKernel::Closest(cell, x);
+    return SkdParametricKernel::Closest(cell, x, limit2);
   }
   if (SkdPiecewiseKernel::Knows(cell->GetCellType()))
   {

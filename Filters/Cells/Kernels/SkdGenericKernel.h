@@ -7,6 +7,7 @@
 #include "Cells/Kernels/SkdCellSource.h"
 #include "Core/Geometry/Segment.h"
 
+#include <limits>
 #include <optional>
 
 namespace skdtree
@@ -15,8 +16,10 @@ namespace skdtree
 namespace SkdGenericKernel
 {
 /// Outside a volume cell the nearest point is sought on its faces: what EvaluatePosition gives
-/// there comes from clamped parametric coordinates and need not be nearest.
-SkdCellPoint Closest(vtkCell* cell, const skd::Vector3& x);
+/// there comes from clamped parametric coordinates and need not be nearest. What is farther than
+/// limit2, a squared distance, need not be either.
+SkdCellPoint Closest(
+  vtkCell* cell, const skd::Vector3& x, double limit2 = std::numeric_limits<double>::infinity());
 
 std::optional<SkdLineHit> Intersect(
   vtkCell* cell, const skd::Segment<3>& segment, double tolerance);

@@ -7,6 +7,7 @@
 #include "Core/Geometry/Cells/ParameterDomain.h"
 #include "Core/Geometry/Segment.h"
 
+#include <limits>
 #include <optional>
 
 class vtkCell;
@@ -71,7 +72,9 @@ private:
 /// minimum is one answer of many, until the cell's Bernstein form shows that none is less.
 namespace SkdParametricKernel
 {
-SkdCellPoint Closest(vtkCell* cell, const skd::Vector3& x);
+/// What is farther than limit2, a squared distance, need not be the nearest.
+SkdCellPoint Closest(
+  vtkCell* cell, const skd::Vector3& x, double limit2 = std::numeric_limits<double>::infinity());
 
 std::optional<SkdLineHit> Intersect(
   vtkCell* cell, const skd::Segment<3>& segment, double tolerance);

@@ -69,9 +69,11 @@ private:
 class NearerPoint
 {
 public:
-  NearerPoint(const SkdParametricCell& cell, const SkdBernsteinMap& map)
+  /// What is farther than limit2 need not be found.
+  NearerPoint(const SkdParametricCell& cell, const SkdBernsteinMap& map, double limit2)
     : Cell(cell)
     , Map(map)
+    , Limit2(limit2)
   {
   }
 
@@ -89,6 +91,10 @@ public:
     const double rounding = this->Cell.Rounding();
     double tolerance = this->Slack *
       (skd::tolerances::SquareRounding + rounding * (rounding + 2.0 * distance) / unit);
+    if (!this->Cell.RationalWeights()) // whose form is no distance, but a multiple of it
+    {
+      tolerance = std::max(tolerance, (known.Norm2 - this->Limit2) / unit - tolerance);
+    }
     if (!this->Fill(known, 1.0 / unit, tolerance, search))
     {
       return std::nullopt;
@@ -133,6 +139,7 @@ private:
 
   const SkdParametricCell& Cell;
   const SkdBernsteinMap& Map;
+  double Limit2;
   double Slack = 1.0;
 };
 
@@ -140,10 +147,11 @@ class NearestSearch
 {
 public:
   /// `map`: the cell's Bernstein form, nullptr if it has none.
-  NearestSearch(const SkdParametricCell& cell, const SkdBernsteinMap* map)
+  NearestSearch(const SkdParametricCell& cell, const SkdBernsteinMap* map, double limit2)
     : Cell(cell)
     , Search(cell.Domain(), cell)
     , Map(map)
+    , Limit2(limit2)
   {
   }
 
@@ -182,7 +190,7 @@ private:
   /// and what rounding makes of one is passed over soon.
   void MakeCertain()
   {
-    NearerPoint nearer(this->Cell, *this->Map);
+    NearerPoint nearer(this->Cell, *this->Map, this->Limit2);
     constexpr int most = 32;
     for (int i = 0; i < most && !this->IsOn() && this->Best.Norm2 < Infinity; ++i)
     {
@@ -203,6 +211,7 @@ private:
   const SkdParametricCell& Cell;
   skd::LeastResidual<SkdParametricCell> Search;
   const SkdBernsteinMap* Map;
+  double Limit2;
   skd::LeastResidualPoint Best{ {}, {}, Infinity };
 };
 
@@ -464,11 +473,11 @@ private:
 }
 
 //------------------------------------------------------------------------------
-SkdCellPoint SkdParametricKernel::Closest(vtkCell* cell, const skd::Vector3& x)
+SkdCellPoint SkdParametricKernel::Closest(vtkCell* cell, const skd::Vector3& x, double limit2)
 {
   const SkdParametricCell map(cell, x);
   const skd::LeastResidualPoint nearest =
-    NearestSearch(map, SkdBernsteinMap::Of(cell, map.Domain())).Find();
+    NearestSearch(map, SkdBernsteinMap::Of(cell, map.Domain()), limit2).Find();
   SkdCellPoint found;
   const bool isOn = nearest.Norm2 <= map.Rounding() * map.Rounding();
   found.Point = isOn ? x : x + nearest.Value;

@@ -91,7 +91,7 @@ SkdCellPoint SkdCellTree::Measure(
     return this->Runs.Closest(this->Store, cell, x, limit2);
   }
   return shape == SkdShape::Generic
-    ? SkdGenericKernel::Closest(source.Load(this->Store.IdOf(cell)), x)
+    ? SkdGenericKernel::Closest(source.Load(this->Store.IdOf(cell)), x, limit2)
     : SkdPolyKernels::Closest(this->Store.GatherPoly(cell), x, limit2);
 }
 
