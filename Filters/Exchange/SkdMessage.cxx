@@ -12,6 +12,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
+#include "vtkUniformGridAMR.h"
 
 #include <algorithm>
 
@@ -29,7 +30,9 @@ const char* const StructureName = "structure";
 vtkSmartPointer<vtkTable> PackStructure(vtkDataObject* object)
 {
   const vtkSmartPointer<vtkDataObject> structure = SkdStructureOf(object);
-  if (!structure)
+  auto* amr = vtkUniformGridAMR::SafeDownCast(structure);
+  if (!structure ||
+    (amr && amr->GetNumberOfLevels() == 0)) // VTK crashes as it writes AMR of no levels
   {
     return nullptr;
   }
