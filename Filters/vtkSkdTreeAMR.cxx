@@ -116,7 +116,8 @@ std::string WhyThereAreNoParts(const SkdParts& parts)
   const SkdTreeCounts counts = parts.GetCounts();
   return counts.Cells > 0 || counts.CellsLeftOut == 0
     ? ""
-    : " (All cells of Input are ignored: " + SkdWhyCellsAreLeftOut(SkdComparable) + ")";
+    : " (All cells of Input are ignored: they are hidden, or " +
+      SkdWhyCellsAreLeftOut(SkdComparable) + ")";
 }
 
 void WarnAbout(vtkSkdTreeAMR* self, const SkdGrid& grid, const SkdParts& parts, bool isAnyCut,

@@ -273,7 +273,8 @@ void vtkSkdTreeSpatialQuery::WarnAboutCells()
     const SkdTreeCounts counts = parts->GetCounts();
     if (counts.Cells == 0 && counts.CellsLeftOut > 0)
     {
-      vtkWarningMacro(<< name << " has no valid cells: " << SkdWhyCellsAreLeftOut());
+      vtkWarningMacro(<< name << " has no valid cells: they are hidden, or "
+                      << SkdWhyCellsAreLeftOut());
     }
   }
 }

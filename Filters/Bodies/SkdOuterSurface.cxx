@@ -6,6 +6,7 @@
 #include "Cells/Curved/SkdCurvedFaces.h"
 #include "Cells/Read/SkdCellReader.h"
 #include "Core/Curves/PatchFacets.h"
+#include "Pipeline/SkdShownElements.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCell.h"
@@ -75,6 +76,51 @@ vtkSmartPointer<vtkDataSet> WithoutRefined(vtkDataSet* mesh)
   return copy;
 }
 
+/// VTK's faces of structured grids with hidden cells are polygons that end at the point where they
+/// begin: that corner would have no angle, and the faces would be no quads.
+void DropRepeatedEnds(vtkPolyData* surface)
+{
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkIdList> ids;
+  bool isAny = false;
+  SkdForEachCell(surface->GetPolys(),
+    [&](vtkIdType, const auto* corners, std::size_t size)
+    {
+      const bool isRepeated = size > 3 && corners[0] == corners[size - 1];
+      isAny = isAny || isRepeated;
+      ids->Reset();
+      for (std::size_t i = 0; i + (isRepeated ? 1 : 0) < size; ++i)
+      {
+        ids->InsertNextId(static_cast<vtkIdType>(corners[i]));
+      }
+      polygons->InsertNextCell(ids);
+    });
+  if (isAny)
+  {
+    surface->SetPolys(polygons);
+    surface->DeleteCells(); // of which the types are known
+  }
+}
+
+/// VTK rounds the points of these faces to float: rays from a point would begin beside the face.
+void PutExactPoints(vtkDataSet* mesh, vtkPolyData* surface)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(surface->GetPointData()->GetArray(OriginalPoints));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(surface->GetNumberOfPoints());
+  for (vtkIdType i = 0; ids && i < surface->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    mesh->GetPoint(ids->GetValue(i), x);
+    points->SetPoint(i, x);
+  }
+  if (ids)
+  {
+    surface->SetPoints(points);
+  }
+}
+
 /// For linear cells only: with other cells, VTK 9.2 confuses face and cell numbers.
 vtkSmartPointer<vtkPolyData> LinearSurfaceOf(vtkDataSet* mesh)
 {
@@ -89,6 +135,11 @@ vtkSmartPointer<vtkPolyData> LinearSurfaceOf(vtkDataSet* mesh)
   filter->PassThroughCellIdsOn();
   filter->PassThroughPointIdsOn();
   filter->Update();
+  if (SkdIsStructured(shown) && shown->GetCellGhostArray())
+  {
+    DropRepeatedEnds(filter->GetOutput());
+    PutExactPoints(shown, filter->GetOutput());
+  }
   return filter->GetOutput();
 }
 
@@ -386,15 +437,16 @@ OuterSurface FacetedSurfaceOf(vtkPointSet* mesh, double chordalLength)
   return builder.Take();
 }
 
-/// Of the points whose coordinates are finite.
+/// Of the shown points whose coordinates are finite.
 skd::Box3 FiniteBounds(vtkDataSet* mesh)
 {
+  const std::vector<unsigned char> shown = SkdFindShown(mesh, vtkDataObject::POINT);
   skd::Box3 box;
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     skd::Vector3 x;
     mesh->GetPoint(i, x.X);
-    if (skd::IsFinite(x))
+    if (shown[static_cast<std::size_t>(i)] != 0 && skd::IsFinite(x))
     {
       box.Add(x);
     }

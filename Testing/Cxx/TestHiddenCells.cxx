@@ -4,6 +4,7 @@
 // and answers are those of the other cells alone.
 
 #include "Support/AMRMeshes.h"
+#include "Support/CurvedMeshes.h"
 #include "Support/EventCounter.h"
 #include "Support/FilterZoo.h"
 #include "Support/MakeOf.h"
@@ -14,12 +15,14 @@
 #include "vtkAppendFilter.h"
 #include "vtkSkdTreeCellLocator.h"
 #include "vtkSkdTreeClosestPoint.h"
+#include "vtkSkdTreeCompareSurfaces.h"
 #include "vtkSkdTreeCurveIntersection.h"
 #include "vtkSkdTreeCurveSurfaceIntersection.h"
 #include "vtkSkdTreeMeshAdaptation.h"
 #include "vtkSkdTreeMeshRefinement.h"
 #include "vtkSkdTreePointInOut.h"
 #include "vtkSkdTreeRays.h"
+#include "vtkSkdTreeSpatialQuery.h"
 #include "vtkSkdTreeWallThickness.h"
 
 #include <gtest/gtest.h>
@@ -342,4 +345,113 @@ TEST(HiddenCells, HaveNoThicknessAndNoneIsMissed)
   filter->SetNumberOfRays(1);
   filter->Update();
   EXPECT_EQ(events.Warnings, 0) << events.Warning;
+}
+
+// The third point of the hidden triangle is far from the sphere.
+TEST(HiddenCells, HaveNoPartInNormalsAtPoints)
+{
+  Mesh mesh = SphereTriangles(6);
+  const auto alone = MakeOf<vtkSkdTreeWallThickness>(MakePolyData(mesh), nullptr);
+  const auto size = mesh.Points.size();
+  mesh.Add(VTK_TRIANGLE, { 0, 1, mesh.Add({ 7, 5, 3 }) });
+  const auto surface = MakePolyData(mesh);
+  MarkGhosts(surface, { surface->GetNumberOfCells() - 1 }, vtkDataSetAttributes::HIDDENCELL);
+  const auto marked = MakeOf<vtkSkdTreeWallThickness>(surface, nullptr);
+  std::vector<std::vector<double>> thickness;
+  for (const auto& filter : { alone, marked })
+  {
+    filter->SetNumberOfRays(1);
+    filter->Update();
+    thickness.push_back(PointArray(filter->GetOutputDataObject(0), "SkdThickness"));
+  }
+  thickness[1].resize(size);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    ASSERT_NEAR(thickness[0][i], thickness[1][i], 1e-9) << i;
+  }
+}
+
+// VTK's outer faces of such a grid are polygons that end where they begin.
+TEST(HiddenCells, OfGridsLeaveFacesAsQuads)
+{
+  const auto structured = MakeStructured(3);
+  const GridPointer listed = Appended(structured);
+  std::vector<std::vector<double>> thickness;
+  for (const DataSetPointer& mesh : std::vector<DataSetPointer>{ structured, listed })
+  {
+    MarkGhosts(mesh, { 0, 4, 13, 22 }, vtkDataSetAttributes::HIDDENCELL);
+    const auto filter = MakeOf<vtkSkdTreeWallThickness>(mesh, nullptr);
+    filter->SetNumberOfRays(3);
+    filter->Update();
+    thickness.push_back(PointArray(filter->GetOutputDataObject(0), "SkdThickness"));
+  }
+  ASSERT_EQ(thickness[0].size(), thickness[1].size());
+  for (std::size_t i = 0; i < thickness[0].size(); ++i)
+  {
+    ASSERT_EQ(std::isnan(thickness[0][i]), std::isnan(thickness[1][i])) << i;
+    if (!std::isnan(thickness[0][i]))
+    {
+      ASSERT_NEAR(thickness[0][i], thickness[1][i], 1e-9) << i;
+    }
+  }
+}
+
+TEST(HiddenCells, HaveNoPointsToCompare)
+{
+  Mesh mesh = Helix(20, VTK_LINE);
+  std::vector<std::vector<double>> distances;
+  for (const bool hasHidden : { false, true })
+  {
+    const std::size_t shown = mesh.Cells.size();
+    if (hasHidden)
+    {
+      mesh.Add(VTK_LINE, { mesh.Add({ 1.2, 1.1, 1.3 }), mesh.Add({ 9, 9, 9 }) });
+    }
+    const auto lines = MakeGrid(mesh);
+    if (hasHidden)
+    {
+      MarkGhosts(lines, { static_cast<vtkIdType>(shown) }, vtkDataSetAttributes::HIDDENCELL);
+    }
+    const auto filter = MakeOf<vtkSkdTreeCompareSurfaces>(Ball(), lines);
+    filter->Update();
+    distances.push_back(PointArray(filter->GetOutputDataObject(0), "SkdDistance"));
+  }
+  EXPECT_FALSE(distances[0].empty());
+  EXPECT_EQ(distances[0], distances[1]);
+}
+
+// Of this the deviation of facets from curved faces is a share.
+TEST(HiddenCells, HaveNoPartInTheSizeOfAMesh)
+{
+  Mesh mesh = CurvedBlock(VTK_QUADRATIC_TETRA, 1);
+  std::vector<double> lengths;
+  for (const bool hasHidden : { false, true })
+  {
+    const auto hidden = static_cast<vtkIdType>(mesh.Cells.size());
+    if (hasHidden)
+    {
+      mesh.Add(VTK_LINE, { mesh.Add({ 70, 70, 70 }), mesh.Add({ 80, 70, 70 }) });
+    }
+    const auto curved = MakeGrid(mesh);
+    if (hasHidden)
+    {
+      MarkGhosts(curved, { hidden }, vtkDataSetAttributes::HIDDENCELL);
+    }
+    const auto filter = MakeOf<vtkSkdTreePointInOut>(Ball(), curved);
+    filter->Update();
+    lengths.push_back(Reported(filter, "ChordalLength"));
+  }
+  EXPECT_GT(lengths[0], 0.0);
+  EXPECT_EQ(lengths[0], lengths[1]);
+}
+
+TEST(HiddenCells, AreNamedWhereNothingElseIsThere)
+{
+  const auto mesh = MakeGrid(Hexahedra(1));
+  MarkGhosts(mesh, { 0 }, vtkDataSetAttributes::HIDDENCELL);
+  const auto filter = MakeOf<vtkSkdTreeSpatialQuery>(mesh, nullptr);
+  EventCounter events(filter);
+  filter->Update();
+  EXPECT_EQ(events.Warnings, 1);
+  EXPECT_NE(events.Warning.find("hidden"), std::string::npos) << events.Warning;
 }

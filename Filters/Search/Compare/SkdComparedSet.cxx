@@ -7,6 +7,7 @@
 #include "Core/Geometry/Distance/ClosestPointOnTriangle.h"
 #include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeMesh.h"
+#include "Pipeline/SkdShownElements.h"
 
 #include <algorithm>
 #include <limits>
@@ -102,11 +103,12 @@ void SkdComparedSet::AddFace(FaceBuffers& buffers, const Origin& origin, vtkIdTy
 
 void SkdComparedSet::AddPoints(int block, vtkDataSet* mesh)
 {
+  const std::vector<unsigned char> shown = SkdFindShown(mesh, vtkDataObject::POINT);
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     skd::Vector3 x;
     mesh->GetPoint(i, x.X);
-    if (IsUsable(x))
+    if (shown[static_cast<std::size_t>(i)] != 0 && IsUsable(x))
     {
       const auto id = static_cast<vtkIdType>(this->Points.size());
       this->Points.push_back(x);

@@ -7,6 +7,7 @@
 #include "Cells/Read/SkdForEach.h"
 #include "Core/Geometry/Distance/ClosestPointOnTriangle.h"
 #include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdShownElements.h"
 #include "Pipeline/SkdVolumeCells.h"
 #include "Search/Rays/SkdCurvedFacePoints.h"
 #include "Search/Rays/SkdNormalSums.h"
@@ -226,7 +227,11 @@ void ForEachNormalOf(vtkDataSet* mesh, const SkdBlockSurface* outer, const Add& 
   }
   else
   {
-    ForEachNormal(mesh, isFlat, add);
+    const std::vector<unsigned char> shown = SkdFindShown(mesh, vtkDataObject::CELL);
+    ForEachNormal(
+      mesh,
+      [&](vtkIdType cell) { return shown[static_cast<std::size_t>(cell)] != 0 && isFlat(cell); },
+      add);
   }
   if (SkdHasCurvedCells(mesh))
   {
