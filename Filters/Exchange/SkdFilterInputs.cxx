@@ -179,17 +179,12 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
     !this->Nearby.empty() || !this->Spread.empty();
   const SkdSharedMessages::Outcome outcome =
     isTogether ? messages.SayOnce(!this->NeedsWhole(0)) : SkdSharedMessages::Outcome();
-  if (isRefused)
-  {
-    Empty(outputs);
-    result = 1;
-  }
-  else if (outcome.IsAbortedAnywhere)
+  if (outcome.IsAbortedAnywhere && !isRefused)
   {
     Abort(this->Filter, outputs);
     result = 1;
   }
-  else if (outcome.IsErrorAnywhere && (!outcome.IsErrorHere || result == 0))
+  else if (isRefused || (outcome.IsErrorAnywhere && (!outcome.IsErrorHere || result == 0)))
   {
     Empty(outputs);
     result = 1; // or each executive has a message of its own
