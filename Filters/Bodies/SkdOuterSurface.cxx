@@ -106,19 +106,20 @@ void DropRepeatedEnds(vtkPolyData* surface)
 void PutExactPoints(vtkDataSet* mesh, vtkPolyData* surface)
 {
   auto* ids = vtkIdTypeArray::SafeDownCast(surface->GetPointData()->GetArray(OriginalPoints));
+  if (!ids)
+  {
+    return;
+  }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(surface->GetNumberOfPoints());
-  for (vtkIdType i = 0; ids && i < surface->GetNumberOfPoints(); ++i)
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
     double x[3];
     mesh->GetPoint(ids->GetValue(i), x);
     points->SetPoint(i, x);
   }
-  if (ids)
-  {
-    surface->SetPoints(points);
-  }
+  surface->SetPoints(points);
 }
 
 /// For linear cells only: with other cells, VTK 9.2 confuses face and cell numbers.

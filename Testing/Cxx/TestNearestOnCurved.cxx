@@ -147,9 +147,8 @@ std::vector<Case> AllCases()
 
 INSTANTIATE_TEST_SUITE_P(Bent, NearestOnCurved, testing::ValuesIn(AllCases()));
 
-TEST_P(NearestOnCurved, NoSampleIsNearer)
+void ExpectNoSampleIsNearer(const Case& c)
 {
-  const Case& c = GetParam();
   Random random(1 + c.Type);
   for (int cell = 0; cell < (IsSlow(c.Type) ? 1 : 4); ++cell)
   {
@@ -166,6 +165,22 @@ TEST_P(NearestOnCurved, NoSampleIsNearer)
       ASSERT_LE(distance, LeastDistance(samples, x) + c.Scale * (1e-12 + rounding));
     }
   }
+}
+
+TEST_P(NearestOnCurved, NoSampleIsNearer)
+{
+  ExpectNoSampleIsNearer(GetParam());
+}
+
+/// What is known of a type and an order must not be learnt from a cell that has no points.
+TEST(NearestOnRational, IsRightAfterACellWhoseWeightsAreZero)
+{
+  const Case c = { VTK_BEZIER_QUADRILATERAL, 7, 0.3, 1, 1, 0, false, true };
+  Random random(1);
+  const auto broken = MakeCell(c, random);
+  broken->GetPointData()->GetRationalWeights()->Fill(0.0);
+  FindClosest(MakeLocator(broken), { 0.5, 0.5, 2.0 });
+  ExpectNoSampleIsNearer(c);
 }
 
 /// z = x^2 / 2: its evolute's cusp is at (0, 0, 1), and above that are two nearest points.

@@ -71,37 +71,35 @@ skd::Vector3 LatticePoint(const BernsteinLayout& layout, const int (&index)[3])
   return p;
 }
 
-/// The cell's functions, of a rational cell without their weights.
+/// The functions of a cell's type: of a rational cell, whose own weights may be zero, those with
+/// all weights 1, which it has as long as this lives.
 class CellFunctions
 {
 public:
   explicit CellFunctions(vtkCell* cell)
     : Cell(cell)
     , Weights(SkdCellFunctions::RationalWeights(cell))
-    , Size(static_cast<int>(cell->GetNumberOfPoints()))
   {
+    if (this->Weights)
+    {
+      this->Kept.assign(this->Weights, this->Weights + cell->GetNumberOfPoints());
+      std::fill_n(this->Weights, this->Kept.size(), 1.0);
+    }
   }
+  ~CellFunctions() { std::copy(this->Kept.begin(), this->Kept.end(), this->Weights); }
+  CellFunctions(const CellFunctions&) = delete;
+  CellFunctions& operator=(const CellFunctions&) = delete;
 
   void Evaluate(const skd::Vector3& p, double* values) const
   {
     const skd::Vector3 pcoords = SkdParametricCell::ToVTK(this->Cell->GetCellType(), p);
     SkdCellFunctions::Interpolate(this->Cell, pcoords.X, values);
-    double sum = 0.0;
-    for (int i = 0; this->Weights && i < this->Size; ++i)
-    {
-      values[i] /= this->Weights[i];
-      sum += values[i];
-    }
-    for (int i = 0; this->Weights && i < this->Size; ++i)
-    {
-      values[i] /= sum;
-    }
   }
 
 private:
   vtkCell* Cell;
-  const double* Weights;
-  int Size;
+  double* Weights;
+  std::vector<double> Kept;
 };
 
 /// Values on the lattice of a simplex or an axis become coefficients.

@@ -193,7 +193,7 @@ void SkdCellFunctions::ReadRationalWeights(vtkDataSet* data, vtkGenericCell* cel
 }
 
 //------------------------------------------------------------------------------
-const double* SkdCellFunctions::RationalWeights(vtkCell* cell)
+double* SkdCellFunctions::RationalWeights(vtkCell* cell)
 {
   vtkDoubleArray* weights =
     IsBezier(cell->GetCellType()) ? RationalWeightsOf(RealCell(cell)) : nullptr;

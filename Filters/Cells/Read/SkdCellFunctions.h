@@ -28,7 +28,7 @@ void Derive(vtkCell* cell, const double pcoords[3], double* derivatives);
 void ReadRationalWeights(vtkDataSet* data, vtkGenericCell* cell);
 
 /// The weights of a rational Bezier cell's points; nullptr of any other cell.
-const double* RationalWeights(vtkCell* cell);
+double* RationalWeights(vtkCell* cell);
 
 /// Whether VTK evaluates cells of this type in memory that all of them share.
 bool ShareMemory(int cellType);
