@@ -82,11 +82,11 @@ public:
   {
     if (this->Weights)
     {
-      this->Kept.assign(this->Weights, this->Weights + cell->GetNumberOfPoints());
-      std::fill_n(this->Weights, this->Kept.size(), 1.0);
+      this->CellsOwn.assign(this->Weights, this->Weights + cell->GetNumberOfPoints());
+      std::fill_n(this->Weights, this->CellsOwn.size(), 1.0);
     }
   }
-  ~CellFunctions() { std::copy(this->Kept.begin(), this->Kept.end(), this->Weights); }
+  ~CellFunctions() { std::copy(this->CellsOwn.begin(), this->CellsOwn.end(), this->Weights); }
   CellFunctions(const CellFunctions&) = delete;
   CellFunctions& operator=(const CellFunctions&) = delete;
 
@@ -99,7 +99,7 @@ public:
 private:
   vtkCell* Cell;
   double* Weights;
-  std::vector<double> Kept;
+  std::vector<double> CellsOwn;
 };
 
 /// Values on the lattice of a simplex or an axis become coefficients.

@@ -9,6 +9,7 @@
 #include "Solids/Boolean/SkdBooleanFaces.h"
 #include "Solids/Boolean/SkdSectionFaces.h"
 #include "Solids/Surfaces/SkdSplitPointData.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
@@ -17,6 +18,7 @@
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSMPThreadLocalObject.h"
 #include "vtkSMPTools.h"
 
