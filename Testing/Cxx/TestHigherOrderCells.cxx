@@ -121,8 +121,12 @@ protected:
 INSTANTIATE_TEST_SUITE_P(All, HigherOrderCells, testing::ValuesIn(AllKinds()),
   [](const auto& info) { return testing::PrintToString(info.param); });
 
-TEST_P(HigherOrderCells, WeightsAreThoseOfVtkToTheLastBit)
+/// To the last bit, but where VTK's take too long.
+TEST_P(HigherOrderCells, WeightsAreThoseOfVtk)
 {
+  const int type = GetParam().Type;
+  const bool isTensor = type == VTK_LAGRANGE_QUADRILATERAL || type == VTK_LAGRANGE_HEXAHEDRON ||
+    type == VTK_BEZIER_QUADRILATERAL || type == VTK_BEZIER_HEXAHEDRON;
   const LocatorPointer locator = MakeLocator(this->Grid);
   vtkNew<vtkGenericCell> cell;
   int found = 0;
@@ -135,7 +139,10 @@ TEST_P(HigherOrderCells, WeightsAreThoseOfVtkToTheLastBit)
       this->Grid->GetCell(in.Cell, cell);
       std::vector<double> weights(cell->GetNumberOfPoints());
       cell->InterpolateFunctions(in.Pcoords.data(), weights.data());
-      ASSERT_EQ(in.Weights, weights);
+      for (std::size_t i = 0; i < weights.size(); ++i)
+      {
+        ASSERT_NEAR(in.Weights[i], weights[i], isTensor ? 0.0 : 1e-14);
+      }
     }
   }
   EXPECT_GT(found, 50);

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Read/SkdCellFunctions.h"
+
+#include "Cells/Read/SkdHigherOrderFunctions.h"
 #include "Cells/Read/SkdTolerances.h"
 
 #include "vtkBezierCurve.h"
@@ -55,28 +57,6 @@ void InterpolateWedge(vtkHigherOrderWedge* wedge, const double pcoords[3], doubl
     Family::Triangle(), Family::Interpolation::EvaluateShapeFunctions);
 }
 
-/// In the order in which VTK multiplies and divides.
-void MakeRational(vtkBezierWedge* wedge, double* weights)
-{
-  vtkDoubleArray* rational = wedge->GetRationalWeights();
-  if (rational->GetNumberOfTuples() == 0)
-  {
-    return;
-  }
-  const vtkIdType size = wedge->GetNumberOfPoints();
-  double sum = 0.0;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    weights[i] *= rational->GetValue(i);
-    sum += weights[i];
-  }
-  const double inverse = 1.0 / sum;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    weights[i] *= inverse;
-  }
-}
-
 vtkCell* RealCell(vtkCell* cell)
 {
   auto* generic = vtkGenericCell::SafeDownCast(cell);
@@ -106,6 +86,61 @@ vtkDoubleArray* RationalWeightsOf(vtkCell* cell)
       return static_cast<vtkBezierWedge*>(cell)->GetRationalWeights();
     default:
       return nullptr;
+  }
+}
+
+/// Of Lagrange and Bezier cells.
+bool IsSimplexOrWedge(int cellType)
+{
+  switch (cellType)
+  {
+    case VTK_LAGRANGE_TRIANGLE:
+    case VTK_LAGRANGE_TETRAHEDRON:
+    case VTK_LAGRANGE_WEDGE:
+    case VTK_BEZIER_TRIANGLE:
+    case VTK_BEZIER_TETRAHEDRON:
+    case VTK_BEZIER_WEDGE:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// In the order in which VTK multiplies and divides.
+void MakeRational(vtkCell* cell, double* weights)
+{
+  vtkDoubleArray* rational = RationalWeightsOf(cell);
+  if (rational->GetNumberOfTuples() == 0)
+  {
+    return;
+  }
+  const vtkIdType size = cell->GetNumberOfPoints();
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    weights[i] *= rational->GetValue(i);
+    sum += weights[i];
+  }
+  const double inverse = 1.0 / sum;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    weights[i] *= inverse;
+  }
+}
+
+void InterpolateByVtk(vtkCell* cell, const double pcoords[3], double* weights)
+{
+  switch (cell->GetCellType())
+  {
+    case VTK_LAGRANGE_WEDGE:
+      InterpolateWedge<Lagrange>(static_cast<vtkLagrangeWedge*>(cell), pcoords, weights);
+      return;
+    case VTK_BEZIER_WEDGE:
+      InterpolateWedge<Bezier>(static_cast<vtkBezierWedge*>(cell), pcoords, weights);
+      MakeRational(cell, weights);
+      return;
+    default:
+      cell->InterpolateFunctions(pcoords, weights);
   }
 }
 
@@ -141,20 +176,23 @@ void DeriveByDifferences(vtkCell* cell, const double pcoords[3], double* derivat
 //------------------------------------------------------------------------------
 void SkdCellFunctions::Interpolate(vtkCell* cell, const double pcoords[3], double* weights)
 {
-  switch (cell->GetCellType())
+  const int type = cell->GetCellType();
+  if (!IsSimplexOrWedge(type))
   {
-    case VTK_LAGRANGE_WEDGE:
-      InterpolateWedge<Lagrange>(static_cast<vtkLagrangeWedge*>(RealCell(cell)), pcoords, weights);
-      return;
-    case VTK_BEZIER_WEDGE:
-    {
-      auto* wedge = static_cast<vtkBezierWedge*>(RealCell(cell));
-      InterpolateWedge<Bezier>(wedge, pcoords, weights);
-      MakeRational(wedge, weights);
-      return;
-    }
-    default:
-      cell->InterpolateFunctions(pcoords, weights);
+    cell->InterpolateFunctions(pcoords, weights);
+    return;
+  }
+  vtkCell* real = RealCell(cell);
+  const SkdHigherOrderFunctions* functions = SkdHigherOrderFunctions::Of(real);
+  if (!functions)
+  {
+    InterpolateByVtk(real, pcoords, weights);
+    return;
+  }
+  functions->Evaluate(pcoords, weights);
+  if (IsBezier(type))
+  {
+    MakeRational(real, weights);
   }
 }
 

@@ -15,7 +15,8 @@ namespace skdtree
 /// EvaluatePosition, EvaluateLocation and Derivatives must not be called where threads may run.
 namespace SkdCellFunctions
 {
-/// Identical to VTK's to the last bit.
+/// Identical to VTK's to the last bit, but those of Lagrange and Bezier triangles, tetrahedra and
+/// wedges to within rounding (SkdHigherOrderFunctions).
 void Interpolate(vtkCell* cell, const double pcoords[3], double* weights);
 
 /// As many for each axis as the cell has points, axis by axis. By differences where VTK's are
