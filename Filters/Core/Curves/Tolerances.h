@@ -38,8 +38,6 @@ constexpr double CellShare = 1e-6;
 constexpr double SimpleGap = 1e-6;
 /// What a root may be off by at most, in parameters.
 constexpr double MostSlack = 1e-5;
-/// Of a step, relative to the width of the box that it is in.
-constexpr double Preconditioned = 1e-9;
 /// A determinant that is not 0, relative to the lengths of its vectors.
 constexpr double Regular = 1e-12;
 /// Of sums of some ten terms, relative to their size.

@@ -85,6 +85,22 @@ struct BernsteinLayout
     }
   }
 
+  /// Whether a condition of the offset holds for all coefficients.
+  template <class Condition>
+  bool AllOf(const Condition& condition) const
+  {
+    bool all = true;
+    this->ForEachRow(0,
+      [&](int offset, int degree, const int(&)[3])
+      {
+        for (int i = 0; i <= degree; ++i)
+        {
+          all = all && condition(offset + i);
+        }
+      });
+    return all;
+  }
+
 private:
   void SetStrides()
   {

@@ -28,13 +28,15 @@ struct NumberRange
 };
 
 /// A polynomial on a part of its domain: the points Origin + u[0] Legs[0] + ..., u in the layout's
-/// domain. It is never less than the least of its coefficients. These belong to the caller.
+/// domain. It is never less than the least of its coefficients. These belong to the caller. There
+/// may be several polynomials, those of a map: what asks for bounds looks at the first one.
 struct BernsteinPart
 {
   BernsteinLayout Layout;
   Vector3 Origin{};
   Vector3 Legs[3] = {};
   double* Values = nullptr;
+  int Count = 1; ///< of polynomials: the coefficients of one, all Layout.Size, after another's
 
   NumberRange Range() const
   {
@@ -77,8 +79,8 @@ struct BernsteinPart
   void Reverse(int axis)
   {
     const int stride = this->Layout.Stride[axis];
-    this->Layout.ForEachRow(axis,
-      [&](int offset, int degree, const int(&)[3])
+    this->ForEachRow(axis,
+      [&](int offset, int degree)
       {
         double* row = this->Values + offset;
         for (int i = 0; 2 * i < degree; ++i)
@@ -89,7 +91,7 @@ struct BernsteinPart
     this->MoveOrigin(axis);
   }
 
-  /// Keeps only what does not go along an axis.
+  /// Keeps only what does not go along an axis, of a single polynomial.
   void Collapse(int axis)
   {
     const BernsteinLayout next = this->Layout.Without(axis);
@@ -118,8 +120,8 @@ struct BernsteinPart
     other = *this;
     other.Values = room;
     const int stride = this->Layout.Stride[axis];
-    this->Layout.ForEachRow(axis,
-      [&](int offset, int degree, const int(&)[3])
+    this->ForEachRow(axis,
+      [&](int offset, int degree)
       { Halve(this->Values + offset, other.Values + offset, degree, stride); });
     other.MoveOrigin(axis);
     this->Legs[axis] = 0.5 * this->Legs[axis];
@@ -127,6 +129,20 @@ struct BernsteinPart
   }
 
 private:
+  /// visit(offset, degree) for each row of each polynomial.
+  template <class Visit>
+  void ForEachRow(int axis, const Visit& visit) const
+  {
+    this->Layout.ForEachRow(axis,
+      [&](int offset, int degree, const int(&)[3])
+      {
+        for (int i = 0; i < this->Count; ++i)
+        {
+          visit(offset + i * this->Layout.Size, degree);
+        }
+      });
+  }
+
   void MoveOrigin(int axis)
   {
     const Vector3 leg = this->Legs[axis];
