@@ -25,6 +25,9 @@
  *   the lowest id. A line through a shared edge or vertex of a closed surface of triangles or quads
  *   is always found (the test is watertight, by exact signs). A cell seen exactly edge-on is not
  *   hit. A line of zero length has no hits.
+ *   Of a curved cell it is the first of all its hits. Where the line runs along the cell, within
+ *   rounding, it may be one that is later by some 1e-5 of the cell's size, and of cells of an order
+ *   above 12, and of rational cells with weights that are not positive, a later one or none.
  * - IntersectWithLine, all hits: each hit cell once, sorted by (t, cell id). A crossing of a shared
  *   edge or vertex is so reported once for each incident cell; FindCrossings merges these.
  * - FindClosestPoint and related methods: the exact nearest point; ties go to the lowest cell id.

@@ -3,10 +3,7 @@
 // The nearest point of a curved cell is the nearest of all its points, not of those around it:
 // against dense samples of cells that are bent so much that distances have several minima.
 
-#include "Support/LocatorCalls.h"
-#include "Support/ParametricReference.h"
-
-#include "vtkPointData.h"
+#include "Support/BentCells.h"
 
 #include <gtest/gtest.h>
 
@@ -14,56 +11,6 @@ using namespace skdtest;
 
 namespace
 {
-
-struct Case
-{
-  int Type;
-  int Order;
-  double Displacement;   ///< of each point, at most, along each axis
-  double Far = 1;        ///< how far queries are, as a multiple
-  double Scale = 1;      ///< of all coordinates
-  double Offset = 0;     ///< added to all coordinates
-  bool IsFolded = false; ///< points are swapped
-  bool IsRational = false;
-};
-
-void PrintTo(const Case& c, std::ostream* os)
-{
-  *os << NameOfType(c.Type) << "Order" << c.Order << "By" << c.Displacement
-      << (c.IsRational ? "Rational" : "") << (c.IsFolded ? "Folded" : "") << "Far" << c.Far
-      << "Scale" << c.Scale << "Offset" << c.Offset;
-}
-
-GridPointer MakeCell(const Case& c, Random& random)
-{
-  int i = 0;
-  const auto moved = [&](const Point& p)
-  {
-    const double d = c.Displacement;
-    Point x = p + random.InBox({ -d, d, -d, d, -d, d });
-    x[0] = c.IsFolded && i++ % 3 == 0 ? 1 - x[0] : x[0];
-    return c.Scale * (x + Point{ c.Offset, c.Offset, c.Offset });
-  };
-  Mesh mesh = ReferenceCell(c.Type, c.Order).Map(moved);
-  GridPointer grid = MakeGrid(mesh);
-  if (c.IsRational)
-  {
-    vtkNew<vtkDoubleArray> rational;
-    rational->SetName("RationalWeights");
-    for (std::size_t point = 0; point < mesh.Points.size(); ++point)
-    {
-      rational->InsertNextValue(random.Between(0.4, 2));
-    }
-    grid->GetPointData()->SetRationalWeights(rational);
-  }
-  return grid;
-}
-
-/// Those that VTK takes very long to evaluate.
-bool IsSlow(int type)
-{
-  return type == VTK_BEZIER_TRIANGLE || type == VTK_BEZIER_TETRAHEDRON || type == VTK_BEZIER_WEDGE;
-}
 
 /// Points of a cell on a lattice of its parameters.
 std::vector<Point> SamplesOf(vtkDataSet* grid)
@@ -103,13 +50,13 @@ double LeastDistance(const std::vector<Point>& samples, const Point& x)
   return least;
 }
 
-class NearestOnCurved : public testing::TestWithParam<Case>
+class NearestOnCurved : public testing::TestWithParam<BentCell>
 {
 };
 
-std::vector<Case> AllCases()
+std::vector<BentCell> AllCases()
 {
-  std::vector<Case> cases = {
+  std::vector<BentCell> cases = {
     { VTK_LAGRANGE_TRIANGLE, 3, 0.1 },
     { VTK_LAGRANGE_TRIANGLE, 4, 0.03 },
     { VTK_LAGRANGE_TRIANGLE, 4, 0.2 },
@@ -147,7 +94,7 @@ std::vector<Case> AllCases()
 
 INSTANTIATE_TEST_SUITE_P(Bent, NearestOnCurved, testing::ValuesIn(AllCases()));
 
-void ExpectNoSampleIsNearer(const Case& c)
+void ExpectNoSampleIsNearer(const BentCell& c)
 {
   Random random(1 + c.Type);
   for (int cell = 0; cell < (IsSlow(c.Type) ? 1 : 4); ++cell)
@@ -175,7 +122,7 @@ TEST_P(NearestOnCurved, NoSampleIsNearer)
 /// What is known of a type and an order must not be learnt from a cell that has no points.
 TEST(NearestOnRational, IsRightAfterACellWhoseWeightsAreZero)
 {
-  const Case c = { VTK_BEZIER_QUADRILATERAL, 7, 0.3, 1, 1, 0, false, true };
+  const BentCell c = { VTK_BEZIER_QUADRILATERAL, 7, 0.3, 1, 1, 0, false, true };
   Random random(1);
   const auto broken = MakeCell(c, random);
   broken->GetPointData()->GetRationalWeights()->Fill(0.0);

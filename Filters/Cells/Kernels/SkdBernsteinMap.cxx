@@ -76,8 +76,10 @@ skd::Vector3 LatticePoint(const BernsteinLayout& layout, const int (&index)[3])
 class CellFunctions
 {
 public:
-  explicit CellFunctions(vtkCell* cell)
+  /// `patch`: parameters are those of one of the cell's patches, unless nullptr.
+  CellFunctions(vtkCell* cell, const SkdPatch* patch)
     : Cell(cell)
+    , Patch(patch)
     , Weights(SkdCellFunctions::RationalWeights(cell))
   {
     if (this->Weights)
@@ -92,12 +94,14 @@ public:
 
   void Evaluate(const skd::Vector3& p, double* values) const
   {
-    const skd::Vector3 pcoords = SkdParametricCell::ToVTK(this->Cell->GetCellType(), p);
+    const skd::Vector3 at = this->Patch ? this->Patch->At(p[0], p[1]) : p;
+    const skd::Vector3 pcoords = SkdParametricCell::ToVTK(this->Cell->GetCellType(), at);
     SkdCellFunctions::Interpolate(this->Cell, pcoords.X, values);
   }
 
 private:
   vtkCell* Cell;
+  const SkdPatch* Patch;
   double* Weights;
   std::vector<double> CellsOwn;
 };
@@ -244,7 +248,7 @@ bool IsSame(const CellFunctions& functions, const BernsteinLayout& layout,
 //------------------------------------------------------------------------------
 bool SkdBernsteinMap::Key::operator==(const Key& other) const
 {
-  return this->Type == other.Type && this->Size == other.Size &&
+  return this->Type == other.Type && this->Size == other.Size && this->Patch == other.Patch &&
     std::equal(this->Order, this->Order + 3, other.Order);
 }
 
@@ -278,10 +282,13 @@ SkdBernsteinMap::Key SkdBernsteinMap::KeyOf(vtkCell* cell)
 }
 
 //------------------------------------------------------------------------------
-const SkdBernsteinMap* SkdBernsteinMap::Of(vtkCell* cell, const skd::ParameterDomain& domain)
+const SkdBernsteinMap* SkdBernsteinMap::Of(
+  vtkCell* cell, const skd::ParameterDomain& domain, int patch)
 {
-  thread_local const SkdBernsteinMap* last = nullptr;
-  const Key key = KeyOf(cell);
+  thread_local const SkdBernsteinMap* lastOf[1 + SkdPatches::Most] = {};
+  Key key = KeyOf(cell);
+  key.Patch = domain.Dimension < 3 ? NoPatch : patch;
+  const SkdBernsteinMap*& last = lastOf[1 + key.Patch];
   if (!last || !(last->TheKey == key))
   {
     last = &Make(cell, domain, key);
@@ -304,33 +311,58 @@ const SkdBernsteinMap& SkdBernsteinMap::Make(
   }
   auto map = std::make_unique<SkdBernsteinMap>();
   map->TheKey = key;
-  const int simplexAxes = SimplexAxesOf(domain);
-  int degree[3] = { 0, 0, 0 };
-  for (int axis = 0; axis < domain.Dimension; ++axis)
-  {
-    degree[axis] = domain.Dimension == 1 ? key.Size - 1
-      : key.Order[axis] > 0              ? key.Order[axis]
-      : simplexAxes == domain.Dimension  ? SimplexDegree(simplexAxes, key.Size)
-                                         : 2;
-  }
-  // Some types have functions of a higher degree than that of their order.
-  constexpr int most = 2;
-  for (int more = 0; more <= most && !map->IsUsable; ++more)
-  {
-    const bool isLow = *std::max_element(degree, degree + 3) <= skd::HighestMapDegree &&
-      *std::min_element(degree, degree + domain.Dimension) > 0;
-    const bool isSmall = domain.Dimension < 3 || key.Size <= MostPoints;
-    map->IsUsable = isLow && isSmall && map->Fit(cell, { domain.Dimension, simplexAxes, degree });
-    std::for_each(degree, degree + domain.Dimension, [](int& n) { ++n; });
-  }
+  map->FitAny(cell, domain);
   maps.push_back(std::move(map));
   return *maps.back();
 }
 
 //------------------------------------------------------------------------------
-bool SkdBernsteinMap::Fit(vtkCell* cell, const BernsteinLayout& layout)
+void SkdBernsteinMap::FitAny(vtkCell* cell, const skd::ParameterDomain& domain)
 {
-  const CellFunctions functions(cell);
+  const SkdPatch* patch =
+    this->TheKey.Patch == NoPatch ? nullptr : SkdPatches::Of(domain).First + this->TheKey.Patch;
+  const skd::ParameterDomain& used = patch ? *patch->Domain : domain;
+  int ofCell[3] = { 0, 0, 0 };
+  int degree[3] = { 0, 0, 0 };
+  this->FindDegrees(domain, ofCell);
+  for (int axis = 0; axis < used.Dimension; ++axis)
+  {
+    degree[axis] = ofCell[axis];
+    for (int i = 0; patch && i < 3; ++i)
+    {
+      degree[axis] = patch->Axes[axis][i] > 0.0 ? ofCell[i] : degree[axis];
+    }
+  }
+  // Some types have functions of a higher degree than that of their order.
+  constexpr int most = 2;
+  for (int more = 0; more <= most && !this->IsUsable; ++more)
+  {
+    const bool isLow = *std::max_element(degree, degree + 3) <= skd::HighestMapDegree &&
+      *std::min_element(degree, degree + used.Dimension) > 0;
+    const bool isSmall = used.Dimension < 3 || this->TheKey.Size <= MostPoints;
+    this->IsUsable =
+      isLow && isSmall && this->Fit(cell, patch, { used.Dimension, SimplexAxesOf(used), degree });
+    std::for_each(degree, degree + used.Dimension, [](int& n) { ++n; });
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdBernsteinMap::FindDegrees(const skd::ParameterDomain& domain, int (&degree)[3]) const
+{
+  const int simplexAxes = SimplexAxesOf(domain);
+  for (int axis = 0; axis < domain.Dimension; ++axis)
+  {
+    degree[axis] = domain.Dimension == 1 ? this->TheKey.Size - 1
+      : this->TheKey.Order[axis] > 0     ? this->TheKey.Order[axis]
+      : simplexAxes == domain.Dimension  ? SimplexDegree(simplexAxes, this->TheKey.Size)
+                                         : 2;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SkdBernsteinMap::Fit(vtkCell* cell, const SkdPatch* patch, const BernsteinLayout& layout)
+{
+  const CellFunctions functions(cell, patch);
   const auto columns = static_cast<std::size_t>(cell->GetNumberOfPoints());
   std::vector<double> matrix(static_cast<std::size_t>(layout.Size) * columns, 0.0);
   ForEachCoefficient(layout,
@@ -356,13 +388,16 @@ void SkdBernsteinMap::Compress(const std::vector<double>& matrix)
   this->Begins.assign(1, 0);
   for (std::size_t at = 0; at < matrix.size(); at += columns)
   {
+    double size = 0.0;
     for (std::size_t i = 0; i < columns; ++i)
     {
       if (std::abs(matrix[at + i]) > SkdTolerances::NoTerm)
       {
         this->Terms.push_back({ static_cast<int>(i), matrix[at + i] });
+        size += std::abs(matrix[at + i]);
       }
     }
+    this->TheAmplification = std::max(this->TheAmplification, size);
     this->Begins.push_back(static_cast<int>(this->Terms.size()));
   }
 }

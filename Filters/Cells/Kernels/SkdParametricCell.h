@@ -69,13 +69,16 @@ private:
 };
 
 /// The exact tests of parametric cells. The nearest point is the nearest of the whole cell: a local
-/// minimum is one answer of many, until the cell's Bernstein form shows that none is less.
+/// minimum is one answer of many, until the cell's Bernstein form shows that none is less. So it is
+/// with the first hit of a line.
 namespace SkdParametricKernel
 {
 /// What is farther than limit2, a squared distance, need not be the nearest.
 SkdCellPoint Closest(
   vtkCell* cell, const skd::Vector3& x, double limit2 = std::numeric_limits<double>::infinity());
 
+/// The first place where the segment comes within the tolerance, or within rounding, of the cell,
+/// of a volume of its sides: a crossing, or where it is nearest for once.
 std::optional<SkdLineHit> Intersect(
   vtkCell* cell, const skd::Segment<3>& segment, double tolerance);
 }
