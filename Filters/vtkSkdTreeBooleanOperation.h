@@ -11,7 +11,8 @@
  * intersections, also with themselves, and the exact order of the pieces around each edge tells
  * which regions of space they separate. Faces that coincide are kept once or dropped as the
  * operation says. Inputs may be any data sets or composite data; the outer faces of volume cells
- * are used.
+ * are used. With a Source, AMR data and the pieces of a vtkPartitionedDataSet are one mesh: faces
+ * between its blocks or pieces are no outer ones.
  *
  * Inside of a surface is where its winding number is not 0 (see InsideRule). So a surface may
  * intersect itself, overlap in parts, have faces twice, or be inside out.

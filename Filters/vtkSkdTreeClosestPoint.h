@@ -87,8 +87,9 @@ public:
    * non-linear cells into linear ones.
    *
    * Points of equal coordinates are treated as one, and faces between two volume cells, also of
-   * different blocks, are not part of the boundary; faces that do not match (for example between
-   * levels of an AMR data set) are. The sign is exact, as with the method AUTOMATIC of
+   * different blocks, are not part of the boundary. Faces that do not match are, but for those
+   * between levels of AMR data and between images of one vtkPartitionedDataSet: a face that smaller
+   * ones cover wholly is not, nor are these. The sign is exact, as with the method AUTOMATIC of
    * vtkSkdTreePointInOut: orientation does not matter, and overlaps of bodies are inside. A surface
    * with open edges (used by an odd number of faces) gives one warning that counts them; the sign
    * is then that of AUTOMATIC, which may be wrong near gaps. A Source without a surface gives a

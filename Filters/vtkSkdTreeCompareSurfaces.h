@@ -5,8 +5,9 @@
  * @brief   distances between two surfaces, and their Hausdorff distance within a stated bound
  *
  * Compares Input (port 0) and Source (port 1), each any vtkDataSet or composite of them: a surface
- * (surface cells and the outer faces of volume cells, as triangles) or, without any such face, the
- * set of its points. Distances are found by the skD-tree (sections 4 and 5 of Khamayseh and Hansen,
+ * (surface cells and the outer faces of volume cells, as triangles; those between blocks of AMR
+ * data, or pieces of a vtkPartitionedDataSet, are no outer ones) or, without any such face, the set
+ * of its points. Distances are found by the skD-tree (sections 4 and 5 of Khamayseh and Hansen,
  * Commun. Comput. Phys. 2 (2007) 545-576), on all processors; results do not depend on their
  * number.
  *

@@ -136,7 +136,9 @@ public:
   //@{
   /**
    * Use the outer faces of volume cells as surfaces, with outward normals: the faces that no other
-   * cell of their data set shares. Default on.
+   * cell of their mesh shares. AMR data, and the pieces of a vtkPartitionedDataSet, are one mesh,
+   * which has no outer faces between blocks or pieces, be these of the same level or not; every
+   * other block is one by itself. Default on.
    */
   vtkSkdTreeSwitchMacro(VolumeFaces);
   //@}
@@ -144,8 +146,9 @@ public:
   //@{
   /**
    * The parts of the Source: its blocks, with their flat index as id, or 0 if it is not composite
-   * (BLOCKS, default); the cells with one value of PartArray, rounded, which is the id
-   * (CELL_ARRAY); or connected components, with ids 0, 1, ... by their first cell
+   * (BLOCKS, default; AMR data, and the pieces of a vtkPartitionedDataSet, are one part with the
+   * flat index of the first block or piece); the cells with one value of PartArray, rounded, which
+   * is the id (CELL_ARRAY); or connected components, with ids 0, 1, ... by their first cell
    * (CONNECTED_PIECES). Where two parts coincide, each has its own intersection point. If a block
    * lacks the array there is an error and BLOCKS is used.
    */

@@ -115,9 +115,11 @@ public:
   //@{
   /**
    * The parts of the Source: its blocks, with their flat index as id, or 0 if it is not composite
-   * (BLOCKS, default); the cells with one value of PartArray, rounded, which is the id
-   * (CELL_ARRAY); or components connected by points of equal coordinates, with ids 0, 1, ... in the
-   * order of their first cells (CONNECTED_PIECES; a BODY_FITTED_MESH uses BLOCKS instead).
+   * (BLOCKS, default; those of AMR data and the pieces of a vtkPartitionedDataSet, too, so that
+   * SkdPartId tells the block and SkdOnBoundary marks its faces to others); the cells with one
+   * value of PartArray, rounded, which is the id (CELL_ARRAY); or components connected by points of
+   * equal coordinates, with ids 0, 1, ... in the order of their first cells (CONNECTED_PIECES; a
+   * BODY_FITTED_MESH uses BLOCKS instead).
    */
   vtkSkdTreeChoiceMacro(Parts, BLOCKS, CONNECTED_PIECES);
   //@}

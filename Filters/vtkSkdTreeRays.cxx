@@ -69,10 +69,9 @@ std::vector<SkdCastRays> FindStarts(
 {
   std::vector<SkdCastRays> rays;
   const auto at = IsAtPoints(self) ? SkdQueryPoints::At::Points : SkdQueryPoints::At::Middles;
-  const SkdRayAim aim = AimOf(self, trees);
-  for (const SkdBlock& block : blocks)
+  for (SkdRayStarts& starts : SkdMakeRayStarts(blocks, at, AimOf(self, trees)))
   {
-    rays.push_back({ SkdRayStarts(block.Mesh, at, aim), {} });
+    rays.push_back({ std::move(starts), {} });
   }
   return rays;
 }

@@ -109,7 +109,8 @@ public:
   /**
    * Where rays go: along the normals of the points or cells (the active ones or, without them,
    * those of the surface cells or of the outer faces of volume cells, at points their mean
-   * weighted by angles), along the vectors of DirectionArray, along one Direction; or towards
+   * weighted by angles; AMR data, and the pieces of a vtkPartitionedDataSet, have no outer faces
+   * between blocks or pieces), along the vectors of DirectionArray, along one Direction; or towards
    * TargetPoint, towards the positions in DirectionArray, or each towards the nearest point of
    * Source, and beyond. Towards the nearest point on the border of an open surface, rounding
    * decides whether a ray hits. Default NORMALS.

@@ -8,8 +8,11 @@
  * curves and the areas in which they coincide, by traversing both skD-trees together (section 5.4
  * of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576). Without a Source, Input is
  * intersected with itself. Inputs may be any vtkDataSet or composite of them; their surface cells
- * and the outer faces of volume cells are used. Cells with more than three points are triangulated
- * without new points (a quad along the shorter of its interior diagonals).
+ * and the outer faces of volume cells are used. AMR data, and the pieces of a
+ * vtkPartitionedDataSet, are one mesh: faces between its blocks or pieces are no outer ones, be
+ * these of the same level or not, and of images but for rounding. Other blocks are meshes of their
+ * own, and meet where they touch. Cells with more than three points are triangulated without new
+ * points (a quad along the shorter of its interior diagonals).
  *
  * Tests use exact signs: there is no tolerance, and the result is correct for surfaces that
  * coincide, touch, graze or lie far from the origin (for the given points; for a moved Source, for

@@ -99,15 +99,10 @@ SkdThicknessRule RuleOf(Filter* self, double maximum, double rounding)
 /// The starts of all blocks; directions are inward.
 std::vector<SkdRayStarts> FindStarts(Filter* self, const std::vector<SkdBlock>& blocks)
 {
-  std::vector<SkdRayStarts> starts;
   SkdRayAim inward;
   inward.IsReversed = !self->GetReversed();
-  for (const SkdBlock& block : blocks)
-  {
-    starts.emplace_back(block.Mesh,
-      IsAtPoints(self) ? SkdQueryPoints::At::Points : SkdQueryPoints::At::Middles, inward);
-  }
-  return starts;
+  return SkdMakeRayStarts(
+    blocks, IsAtPoints(self) ? SkdQueryPoints::At::Points : SkdQueryPoints::At::Middles, inward);
 }
 
 /// cellOf(block, cell) is the id of a cell that was found.

@@ -28,7 +28,9 @@
  * normals of curved faces are those of the faces themselves: for a control point of a Bezier cell
  * stands the point of the face at its parameters, for the centre of a curved cell that in the
  * middle of its parameters. What is measured against is the outer faces of volume cells, of curved
- * ones as flat facets within 1e-4 of the diagonal.
+ * ones as flat facets within 1e-4 of the diagonal. AMR data, and the pieces of a
+ * vtkPartitionedDataSet, are one mesh: faces between its blocks or pieces are no outer ones, and
+ * normals at points (unless it has curved cells) are those of all pieces there.
  *
  * Output: the input with the point arrays or, at cell centres, cell arrays
  * | name                  | type   | components | meaning                              | none |

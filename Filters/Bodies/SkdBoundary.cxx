@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bodies/SkdBoundary.h"
 
-#include "Bodies/SkdOuterSurface.h"
+#include "Bodies/SkdPieceSurfaces.h"
 #include "Bodies/SkdTriangulation.h"
 #include "Bodies/SkdWeld.h"
 #include "Pipeline/SkdMakeMesh.h"
@@ -45,7 +45,7 @@ public:
   void FillBoundary(SkdBoundary& boundary) const;
 
 private:
-  void AddBlock(int block, vtkDataSet* mesh, double chordalLength);
+  void AddBlock(int block, const SkdBlockSurface& surface);
   template <class Corner>
   void AddFace(Face face, const SkdBlockSurface& surface, vtkIdType size, const Corner* corners);
   void CountCopiesOfGroup(const std::vector<std::size_t>& group);
@@ -77,18 +77,12 @@ FaceList::FaceList(
   const std::vector<SkdBlock>& blocks, double chordalLength, const SkdSharedBlocks* shared)
   : Shared(shared)
 {
-  for (std::size_t block = 0; block < blocks.size(); ++block)
-  {
-    if (blocks[block].Mesh->GetNumberOfCells() > 0)
-    {
-      this->AddBlock(static_cast<int>(block), blocks[block].Mesh, chordalLength);
-    }
-  }
+  SkdVisitSurfaces(blocks, chordalLength,
+    [this](int block, const SkdBlockSurface& surface) { this->AddBlock(block, surface); });
 }
 
-void FaceList::AddBlock(int block, vtkDataSet* mesh, double chordalLength)
+void FaceList::AddBlock(int block, const SkdBlockSurface& surface)
 {
-  const SkdBlockSurface surface(mesh, chordalLength);
   this->CoarseFaces += surface.GetNumberOfCoarseFaces();
   surface.ForEachFace(
     [&](vtkIdType cell, vtkIdType size, const auto* corners)

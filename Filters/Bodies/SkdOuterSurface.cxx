@@ -6,6 +6,8 @@
 #include "Cells/Curved/SkdCurvedFaces.h"
 #include "Cells/Read/SkdCellReader.h"
 #include "Core/Curves/PatchFacets.h"
+#include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdMakeMesh.h"
 #include "Pipeline/SkdShownElements.h"
 
 #include "vtkAlgorithm.h"
@@ -520,10 +522,7 @@ SkdBlockSurface::SkdBlockSurface(vtkDataSet* mesh, double chordalLength)
   this->CoarseFaces = outer.CoarseFaces;
   if (mesh != this->Surface.Get())
   {
-    this->CellIds =
-      vtkIdTypeArray::SafeDownCast(this->Surface->GetCellData()->GetArray("vtkOriginalCellIds"));
-    this->PointIds =
-      vtkIdTypeArray::SafeDownCast(this->Surface->GetPointData()->GetArray("vtkOriginalPointIds"));
+    this->FindIds();
   }
   else if (this->Surface->GetPoints())
   {
@@ -533,6 +532,45 @@ SkdBlockSurface::SkdBlockSurface(vtkDataSet* mesh, double chordalLength)
     this->Doubles = doubles ? doubles->GetPointer(0) : nullptr;
     this->Floats = floats ? floats->GetPointer(0) : nullptr;
   }
+}
+
+void SkdBlockSurface::FindIds()
+{
+  this->CellIds =
+    vtkIdTypeArray::SafeDownCast(this->Surface->GetCellData()->GetArray(OriginalCells));
+  this->PointIds =
+    vtkIdTypeArray::SafeDownCast(this->Surface->GetPointData()->GetArray(OriginalPoints));
+}
+
+void SkdBlockSurface::SetFaces(const std::vector<vtkIdType>& cells, vtkCellArray* polygons,
+  const std::vector<skd::Vector3>& points)
+{
+  const auto number = static_cast<vtkIdType>(points.size());
+  const vtkIdType others = this->Surface->GetNumberOfVerts() + this->Surface->GetNumberOfLines();
+  const auto size = others + static_cast<vtkIdType>(cells.size());
+  const auto cellIds = SkdMakeArray<vtkIdTypeArray>(OriginalCells, 1, size);
+  const auto pointIds = SkdMakeArray<vtkIdTypeArray>(OriginalPoints, 1, number);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    cellIds->SetValue(
+      i, this->GetCellId(i < others ? i : cells[static_cast<std::size_t>(i - others)]));
+  }
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    pointIds->SetValue(i, i < this->Surface->GetNumberOfPoints() ? this->GetPointId(i) : -1);
+  }
+  const auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(
+    SkdMakePoints(number, [&](vtkIdType i) { return points[static_cast<std::size_t>(i)]; }));
+  surface->SetVerts(this->Surface->GetVerts());
+  surface->SetLines(this->Surface->GetLines());
+  surface->SetPolys(polygons);
+  surface->GetCellData()->AddArray(cellIds);
+  surface->GetPointData()->AddArray(pointIds);
+  this->Surface = surface;
+  this->FindIds();
+  this->Floats = nullptr;
+  this->Doubles = vtkDoubleArray::SafeDownCast(surface->GetPoints()->GetData())->GetPointer(0);
 }
 
 bool SkdBlockSurface::IsOfVolume(vtkIdType cell) const

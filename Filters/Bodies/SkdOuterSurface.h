@@ -14,6 +14,7 @@
 #define SkdOuterSurface_h
 
 #include "Cells/Read/SkdStoredCells.h"
+#include "Core/Geometry/Vector.h"
 #include "Core/Parallel/Processes.h"
 #include "Pipeline/SkdBlocks.h"
 #include "vtkCellArray.h"
@@ -95,6 +96,12 @@ public:
     }
   }
 
+  /// Has other faces instead, each given by the cell of the surface that it is of, on other points:
+  /// those of the surface, maybe moved by rounding, and after them some that the data set does not
+  /// have. Vertices and lines stay.
+  void SetFaces(const std::vector<vtkIdType>& cells, vtkCellArray* polygons,
+    const std::vector<skd::Vector3>& points);
+
   /// Calls visit(cell of the surface, size, corners) for each polygon and each triangle of a strip,
   /// ghosts left out. Corners are points of the surface, in whatever type they are stored.
   template <class Visit>
@@ -128,6 +135,7 @@ public:
 
 private:
   void FindPoint(vtkIdType point, double x[3]) const;
+  void FindIds();
 
   vtkDataSet* Mesh;
   vtkSmartPointer<vtkPolyData> Surface;

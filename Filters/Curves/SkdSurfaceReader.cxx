@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdSurfaceReader.h"
 
+#include "Bodies/SkdInnerFaces.h"
+#include "Bodies/SkdPieceSurfaces.h"
 #include "Cells/Curved/SkdBezierCell.h"
+#include "Cells/Curved/SkdCurvedFaces.h"
 #include "Cells/Read/SkdFaceList.h"
 #include "Core/Geometry/Polygons/ConvexHull.h"
+#include "Pipeline/SkdQueryPoints.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdShownElements.h"
 #include "vtkCell.h"
@@ -90,6 +94,97 @@ private:
   vtkCell* Cell;
   std::vector<skd::ConvexHull::Triangle> Triangles;
 };
+
+/// The volume cells that count.
+std::vector<vtkIdType> VolumesOf(vtkDataSet* mesh)
+{
+  const std::vector<unsigned char> counted = SkdFindCounted(mesh);
+  std::vector<vtkIdType> volumes;
+  for (vtkIdType cellId = 0; cellId < mesh->GetNumberOfCells(); ++cellId)
+  {
+    if (counted[static_cast<std::size_t>(cellId)] != 0 &&
+      SkdDimensionOfCellType(mesh->GetCellType(cellId)) == 3)
+    {
+      volumes.push_back(cellId);
+    }
+  }
+  return volumes;
+}
+
+/// The faces of volume cells that no other one of the data set has.
+std::vector<SkdCellFace> OuterFacesOf(vtkDataSet* mesh, const std::vector<vtkIdType>& volumes)
+{
+  SkdFaceList faces;
+  for (const vtkIdType cellId : volumes)
+  {
+    vtkCell* cell = mesh->GetCell(cellId);
+    const bool isHull = cell->GetCellType() == VTK_CONVEX_POINT_SET;
+    const HullOfCell hull(isHull ? cell : nullptr);
+    for (int i = 0; i < hull.GetNumberOfFaces(); ++i)
+    {
+      const auto points = hull.PointsOf(i);
+      faces.Add({ cellId, i }, points.begin(), points.end());
+    }
+    for (int i = 0; !isHull && i < cell->GetNumberOfFaces(); ++i)
+    {
+      vtkIdList* points = cell->GetFace(i)->GetPointIds();
+      faces.Add({ cellId, i }, points->begin(), points->end());
+    }
+  }
+  return faces.TakeOuter();
+}
+
+std::vector<skd::Vector3> PointsOf(vtkDataSet* mesh, const SkdCellFace& face)
+{
+  vtkCell* cell = mesh->GetCell(face.CellId);
+  std::vector<skd::Vector3> points;
+  if (cell->GetCellType() == VTK_CONVEX_POINT_SET)
+  {
+    const auto corners = HullOfCell(cell).CornersOf(face.Face);
+    points.assign(corners.begin(), corners.end());
+    return points;
+  }
+  vtkCell* side = cell->GetFace(face.Face);
+  for (vtkIdType i = 0; i < side->GetNumberOfPoints(); ++i)
+  {
+    points.push_back(PointOf(side, i));
+  }
+  return points;
+}
+}
+
+//------------------------------------------------------------------------------
+void SkdSurfaceReader::FindInnerFaces(const std::vector<SkdBlock>& blocks)
+{
+  for (const std::vector<std::size_t>& mesh : SkdPiecesOfMeshes(blocks))
+  {
+    std::vector<vtkDataSet*> pieces;
+    for (const std::size_t i : mesh)
+    {
+      pieces.push_back(blocks[i].Mesh);
+    }
+    SkdInnerFaces inner(pieces);
+    std::vector<std::pair<int, SkdCellFace>> faces;
+    for (const std::size_t i : mesh)
+    {
+      const SkdQueryPoints middles(blocks[i].Mesh, SkdQueryPoints::At::Middles);
+      for (const SkdCellFace& face : OuterFacesOf(blocks[i].Mesh, VolumesOf(blocks[i].Mesh)))
+      {
+        skd::Vector3 middle;
+        middles.GetPoint(face.CellId, middle.X);
+        inner.Add(PointsOf(blocks[i].Mesh, face), middle);
+        faces.emplace_back(static_cast<int>(i), face);
+      }
+    }
+    const std::vector<unsigned char> isInner = inner.Find();
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      if (isInner[i] != 0)
+      {
+        this->InnerFaces[faces[i].first].insert(faces[i].second);
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -127,26 +222,15 @@ void SkdSurfaceReader::Read(vtkDataSet* mesh, int block)
 //------------------------------------------------------------------------------
 void SkdSurfaceReader::ReadFaces(vtkDataSet* mesh, const std::vector<vtkIdType>& volumes)
 {
-  SkdFaceList faces;
-  for (const vtkIdType cellId : volumes)
-  {
-    vtkCell* cell = mesh->GetCell(cellId);
-    const bool isHull = cell->GetCellType() == VTK_CONVEX_POINT_SET;
-    const HullOfCell hull(isHull ? cell : nullptr);
-    for (int i = 0; i < hull.GetNumberOfFaces(); ++i)
-    {
-      const auto points = hull.PointsOf(i);
-      faces.Add({ cellId, i }, points.begin(), points.end());
-    }
-    for (int i = 0; !isHull && i < cell->GetNumberOfFaces(); ++i)
-    {
-      vtkIdList* points = cell->GetFace(i)->GetPointIds();
-      faces.Add({ cellId, i }, points->begin(), points->end());
-    }
-  }
+  const std::set<SkdCellFace>& inner = this->InnerFaces[this->Block];
   this->IsWhole = false;
-  for (const auto& [cellId, face] : faces.TakeOuter())
+  for (const SkdCellFace& outer : OuterFacesOf(mesh, volumes))
   {
+    const auto& [cellId, face] = outer;
+    if (inner.count(outer) > 0)
+    {
+      continue;
+    }
     this->CellId = cellId;
     vtkCell* cell = mesh->GetCell(cellId);
     if (cell->GetCellType() == VTK_CONVEX_POINT_SET)

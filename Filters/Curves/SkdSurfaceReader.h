@@ -4,10 +4,14 @@
 #define SkdSurfaceReader_h
 
 #include "Bodies/SkdTriangulation.h"
+#include "Cells/Read/SkdFaceList.h"
 #include "Core/Curves/BezierPatch.h"
+#include "Pipeline/SkdBlocks.h"
 #include "vtkType.h"
 
 #include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,11 +41,15 @@ struct SkdSurfaceElement
 class SkdSurfaceReader
 {
 public:
-  /// With volumes: also the faces of volume cells that no other cell of their data set has.
+  /// With volumes: also the outer faces of volume cells.
   explicit SkdSurfaceReader(bool withVolumes)
     : WithVolumes(withVolumes)
   {
   }
+
+  /// Finds the faces between data sets that are pieces of one mesh, which are no outer ones. To be
+  /// called before these are read.
+  void FindInnerFaces(const std::vector<SkdBlock>& blocks);
 
   void Read(vtkDataSet* mesh, int block);
 
@@ -63,6 +71,7 @@ private:
   void AddTriangle(const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c);
   void AddPatch(const skd::BezierPatch& patch, const skd::Vector3& origin);
 
+  std::map<int, std::set<SkdCellFace>> InnerFaces; // of each block
   SkdTriangulation Triangulation;
   bool WithVolumes;
   int Block = 0;

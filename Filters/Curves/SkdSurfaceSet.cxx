@@ -23,8 +23,13 @@ bool SkdSurfaceSet::Update(const std::vector<SkdBlock>& blocks, bool withVolumes
   this->Epsilon = epsilon;
   this->WithVolumes = withVolumes;
   SkdSurfaceReader reader(withVolumes);
+  const std::vector<SkdBlock> structures = this->Meshes.Keep(blocks);
+  if (withVolumes)
+  {
+    reader.FindInnerFaces(structures);
+  }
   int block = 0;
-  for (const SkdBlock& structure : this->Meshes.Keep(blocks))
+  for (const SkdBlock& structure : structures)
   {
     reader.Read(structure.Mesh, block++);
   }
@@ -113,8 +118,9 @@ void SkdSurfaceSet::AssignParts(
   for (SkdSurfaceElement& element : this->Elements)
   {
     const auto block = static_cast<std::size_t>(element.Block);
-    element.Part = idsOfCells.empty() ? blocks[block].BlockIndex
-                                      : idsOfCells[block][static_cast<std::size_t>(element.CellId)];
+    const int first = blocks[block].FirstPiece;
+    element.Part = !idsOfCells.empty() ? idsOfCells[block][static_cast<std::size_t>(element.CellId)]
+                                       : (first >= 0 ? first : blocks[block].BlockIndex);
   }
 }
 }

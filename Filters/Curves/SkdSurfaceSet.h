@@ -25,13 +25,14 @@ class SkdSurfaceSet
 {
 public:
   /// Reads all surface cells: planar quads, polygons and strips as triangles, others as patches.
-  /// With `withVolumes` also the faces of volume cells that no other cell of the data set has.
+  /// With `withVolumes` also the faces of volume cells that no other cell of the mesh has.
   /// Ghosts and what GetFaults() describes are left out. Returns whether anything was
   /// updated.
   bool Update(const std::vector<SkdBlock>& blocks, bool withVolumes, double epsilon);
 
   /// Sets the part of each element, by a list of ids for each block, one a cell; without lists by
-  /// block. Intersections of coincident parts are separate.
+  /// block, or by mesh where blocks are pieces of one. Intersections of coincident parts are
+  /// separate.
   void AssignParts(
     const std::vector<SkdBlock>& blocks, const std::vector<std::vector<int>>& idsOfCells);
 

@@ -10,10 +10,12 @@ std::vector<SkdBlock> SkdBlockSnapshots::Keep(const std::vector<SkdBlock>& block
 {
   std::vector<SkdBlock> structures = blocks;
   this->Meshes.resize(blocks.size());
+  this->FirstPieces.resize(blocks.size());
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     this->Meshes[i].Keep(blocks[i].Mesh);
     structures[i].Mesh = this->Meshes[i].Get();
+    this->FirstPieces[i] = blocks[i].FirstPiece;
   }
   return structures;
 }
@@ -21,7 +23,9 @@ std::vector<SkdBlock> SkdBlockSnapshots::Keep(const std::vector<SkdBlock>& block
 bool SkdBlockSnapshots::AreSameAs(const std::vector<SkdBlock>& blocks) const
 {
   return std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
-    [](const SkdMeshSnapshot& snapshot, const SkdBlock& block)
-    { return snapshot.IsSameAs(block.Mesh); });
+           [](const SkdMeshSnapshot& snapshot, const SkdBlock& block)
+           { return snapshot.IsSameAs(block.Mesh); }) &&
+    std::equal(this->FirstPieces.begin(), this->FirstPieces.end(), blocks.begin(),
+      [](int first, const SkdBlock& block) { return first == block.FirstPiece; });
 }
 }

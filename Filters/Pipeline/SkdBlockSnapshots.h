@@ -22,7 +22,8 @@ public:
   /// blocks.
   std::vector<SkdBlock> Keep(const std::vector<SkdBlock>& blocks);
 
-  /// Whether there are as many blocks, and each has the structure that is kept for it.
+  /// Whether there are as many blocks, and each has the structure that is kept for it and is a
+  /// piece of the same mesh.
   bool AreSameAs(const std::vector<SkdBlock>& blocks) const;
 
   /// What is kept of a block.
@@ -30,6 +31,7 @@ public:
 
 private:
   std::vector<SkdMeshSnapshot> Meshes;
+  std::vector<int> FirstPieces;
 };
 }
 

@@ -5,11 +5,15 @@
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkUniformGridAMR.h"
 
 #include <algorithm>
 
@@ -22,6 +26,55 @@ vtkSmartPointer<vtkCompositeDataIterator> IteratorOf(vtkCompositeDataSet* compos
   vtkSmartPointer<vtkCompositeDataIterator> iterator;
   iterator.TakeReference(composite->NewIterator());
   return iterator;
+}
+
+/// The flat indices of the pieces of one mesh.
+struct PieceRange
+{
+  int First;
+  int Last;
+};
+
+std::vector<PieceRange> PieceRangesOf(vtkCompositeDataSet* composite)
+{
+  std::vector<PieceRange> ranges;
+  const auto add = [&ranges](vtkDataObject* object, unsigned int flatIndex)
+  {
+    if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(object))
+    {
+      const unsigned int last = flatIndex + partitions->GetNumberOfPartitions();
+      ranges.push_back({ static_cast<int>(flatIndex) + 1, static_cast<int>(last) });
+    }
+  };
+  if (vtkUniformGridAMR::SafeDownCast(composite))
+  {
+    ranges.push_back({ 0, VTK_INT_MAX });
+  }
+  add(composite, 0);
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(composite))
+  {
+    vtkSmartPointer<vtkDataObjectTreeIterator> iterator;
+    iterator.TakeReference(tree->NewTreeIterator());
+    iterator->VisitOnlyLeavesOff();
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      add(iterator->GetCurrentDataObject(), iterator->GetCurrentFlatIndex());
+    }
+  }
+  return ranges;
+}
+
+/// Both are in the order of flat indices.
+void FindFirstPieces(const std::vector<PieceRange>& ranges, std::vector<SkdBlock>& blocks)
+{
+  auto range = ranges.begin();
+  for (SkdBlock& block : blocks)
+  {
+    range = std::find_if(range, ranges.end(),
+      [&block](const PieceRange& pieces) { return block.BlockIndex <= pieces.Last; });
+    const bool isPiece = range != ranges.end() && range->First <= block.BlockIndex;
+    block.FirstPiece = isPiece ? range->First : -1;
+  }
 }
 
 void MirrorComposite(vtkCompositeDataSet* input, vtkCompositeDataSet* output)
@@ -62,6 +115,7 @@ std::vector<SkdBlock> SkdBlocksOf(vtkDataObject* object)
         blocks.push_back({ mesh, static_cast<int>(iterator->GetCurrentFlatIndex()) });
       }
     }
+    FindFirstPieces(PieceRangesOf(composite), blocks);
   }
   return blocks;
 }

@@ -21,6 +21,10 @@ struct SkdBlock
 {
   vtkSmartPointer<vtkDataSet> Mesh;
   int BlockIndex;
+
+  /// Of a piece of one mesh, which AMR data and partitioned data sets are: the flat index of the
+  /// first piece of that mesh, be it there or not. -1 of others: each is a mesh by itself.
+  int FirstPiece = -1;
 };
 
 /// Whether an object is a composite data set, whose blocks have flat indices. False for nullptr.

@@ -114,6 +114,14 @@ def test_the_cell_limit_stops_it():
     assert skdtesting.report(amr, "EstimatedBytes") > 1e6
 
 
+def test_no_faces_are_between_overlapping_blocks():
+    amr = scene(OutputType="Overlapping AMR")
+    surface = simple.SkdTreeSurfaceIntersection(Input=amr)
+    surface.UpdatePipeline()
+    assert skdtesting.report(surface, "Triangles") > 100, skdtesting.report(surface, "Triangles")
+    assert skdtesting.report(surface, "Pairs") == 0
+
+
 def test_the_tree_is_kept():
     skdtesting.assert_trees_are_kept(scene(), 1, MaximumLevel=4)
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Search/Compare/SkdComparedSet.h"
 
-#include "Bodies/SkdOuterSurface.h"
+#include "Bodies/SkdPieceSurfaces.h"
 #include "Cells/Read/SkdMagnitudes.h"
 #include "Core/Geometry/Distance/ClosestPointOnTriangle.h"
 #include "Pipeline/SkdJoinedIds.h"
@@ -28,10 +28,9 @@ void SkdComparedSet::Update(const std::vector<SkdBlock>& blocks, bool wantsSide,
   this->Release();
   this->CoarseFaces = 0;
   this->ChordalLength = SkdChordalLength(blocks, chordalDeviation);
-  for (std::size_t block = 0; block < blocks.size(); ++block)
-  {
-    this->AddFaces(static_cast<int>(block), blocks[block].Mesh);
-  }
+  SkdVisitSurfaces(blocks, this->ChordalLength,
+    [&](int block, const SkdBlockSurface& surface)
+    { this->AddFaces(block, blocks[static_cast<std::size_t>(block)].Mesh, surface); });
   this->Surface = !this->Elements.empty();
   for (std::size_t block = 0; block < blocks.size() && !this->Surface; ++block)
   {
@@ -50,13 +49,8 @@ void SkdComparedSet::Update(const std::vector<SkdBlock>& blocks, bool wantsSide,
   }
 }
 
-void SkdComparedSet::AddFaces(int block, vtkDataSet* mesh)
+void SkdComparedSet::AddFaces(int block, vtkDataSet* mesh, const SkdBlockSurface& surface)
 {
-  if (mesh->GetNumberOfCells() == 0)
-  {
-    return;
-  }
-  const SkdBlockSurface surface(mesh, this->ChordalLength);
   this->CoarseFaces += surface.GetNumberOfCoarseFaces();
   const auto first = static_cast<vtkIdType>(this->Points.size());
   const vtkIdType number = surface.Get()->GetNumberOfPoints();

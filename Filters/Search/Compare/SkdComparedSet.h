@@ -112,7 +112,7 @@ private:
     std::vector<vtkIdType> Ids;
   };
 
-  void AddFaces(int block, vtkDataSet* mesh);
+  void AddFaces(int block, vtkDataSet* mesh, const SkdBlockSurface& surface);
   template <class Corner>
   void AddFace(FaceBuffers& buffers, const Origin& origin, vtkIdType first, vtkIdType size,
     const Corner* corners);

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace skdtree
 {
@@ -41,7 +42,7 @@ SkdRayStarts::SkdRayStarts(vtkDataSet* mesh, SkdQueryPoints::At at, const SkdRay
   switch (aim.Mode)
   {
     case SkdRayAim::Along::Normals:
-      this->UseNormals(mesh, at);
+      this->UseNormals(mesh, at, aim);
       break;
     case SkdRayAim::Along::Array:
     case SkdRayAim::Along::ToPositions:
@@ -108,7 +109,7 @@ void SkdRayStarts::ReadPoints(vtkDataSet* mesh, SkdQueryPoints::At at)
   }
 }
 
-void SkdRayStarts::UseNormals(vtkDataSet* mesh, SkdQueryPoints::At at)
+void SkdRayStarts::UseNormals(vtkDataSet* mesh, SkdQueryPoints::At at, const SkdRayAim& aim)
 {
   vtkDataArray* given = DataOf(mesh, at)->GetNormals();
   if (AreVectors(given))
@@ -117,11 +118,14 @@ void SkdRayStarts::UseNormals(vtkDataSet* mesh, SkdQueryPoints::At at)
     return;
   }
   const bool atPoints = at == SkdQueryPoints::At::Points;
-  this->Directions = atPoints ? SkdNormalsOfPoints(mesh) : SkdNormalsOfCells(mesh);
+  const bool isPiece = atPoints && !aim.OfPiece.empty();
+  this->Directions = isPiece ? aim.OfPiece
+    : atPoints               ? SkdNormalsOfPoints(mesh)
+                             : SkdNormalsOfCells(mesh);
   if (atPoints && SkdHasVolumeCells(mesh))
   {
     const vtkIdType without = this->CountWithoutRay();
-    this->Inner = without < this->GetNumber() ? without : 0;
+    this->Inner = isPiece || without < this->GetNumber() ? without : 0;
   }
 }
 
@@ -198,5 +202,22 @@ bool SkdRayStarts::Read(vtkDataArray* vectors, const std::string& what)
       this->Directions[i] = SkdUnit(vector);
     });
   return true;
+}
+
+std::vector<SkdRayStarts> SkdMakeRayStarts(
+  const std::vector<SkdBlock>& blocks, SkdQueryPoints::At at, SkdRayAim aim)
+{
+  std::vector<std::vector<Vector3>> ofPieces(blocks.size());
+  if (aim.Mode == SkdRayAim::Along::Normals && at == SkdQueryPoints::At::Points)
+  {
+    ofPieces = SkdNormalsOfPieces(blocks);
+  }
+  std::vector<SkdRayStarts> starts;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    aim.OfPiece = std::move(ofPieces[i]);
+    starts.emplace_back(blocks[i].Mesh, at, aim);
+  }
+  return starts;
 }
 }

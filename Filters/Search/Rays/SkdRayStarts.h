@@ -4,6 +4,7 @@
 #define SkdRayStarts_h
 
 #include "Core/Geometry/Vector.h"
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdQueryPoints.h"
 #include "Pipeline/SkdSourceTrees.h"
 
@@ -30,6 +31,7 @@ struct SkdRayAim
   skd::Vector3 Vector{};                  // the direction, or the point
   const SkdSourceTrees* Source = nullptr; // of ToNearest
   bool IsReversed = false;
+  std::vector<skd::Vector3> OfPiece{}; // normals at points of a piece of a mesh; empty of others
 };
 
 /// The rays of one data set: where they start, and their directions.
@@ -57,7 +59,7 @@ public:
 
 private:
   void ReadPoints(vtkDataSet* mesh, SkdQueryPoints::At at);
-  void UseNormals(vtkDataSet* mesh, SkdQueryPoints::At at);
+  void UseNormals(vtkDataSet* mesh, SkdQueryPoints::At at, const SkdRayAim& aim);
   void UseArray(vtkDataSet* mesh, SkdQueryPoints::At at, const SkdRayAim& aim);
   void FaceNearest(const SkdSourceTrees& source);
   bool Read(vtkDataArray* vectors, const std::string& what);
@@ -65,6 +67,10 @@ private:
 
   std::vector<unsigned char> Shown; // each start
 };
+
+/// The rays of all blocks: normals at points are those of the meshes that they are pieces of.
+std::vector<SkdRayStarts> SkdMakeRayStarts(
+  const std::vector<SkdBlock>& blocks, SkdQueryPoints::At at, SkdRayAim aim);
 }
 
 #endif

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Search/Rays/SkdSurfaceBlocks.h"
 
+#include "Bodies/SkdPieceSurfaces.h"
 #include "Cells/Read/SkdRepairedMesh.h"
 #include "Pipeline/SkdVolumeCells.h"
+
+#include <utility>
 
 namespace skdtree
 {
@@ -15,13 +18,18 @@ std::vector<SkdBlock> SkdSurfaceBlocks::Update(const std::vector<SkdBlock>& bloc
     this->Surfaces.clear();
     this->Meshes.clear();
     this->ChordalLength = 0.0;
-    for (const SkdBlock& block : this->Snapshots.Keep(blocks))
+    const std::vector<SkdBlock> kept = this->Snapshots.Keep(blocks);
+    for (SkdPieceSurface& piece : SkdSurfacesOfPieces(kept, chordalLength))
     {
-      auto& surface = this->Surfaces.emplace_back();
+      vtkDataSet* const block = kept[this->Surfaces.size()].Mesh;
+      auto& surface = this->Surfaces.emplace_back(std::move(piece.Faces));
       auto& mesh = this->Meshes.emplace_back();
-      if (SkdHasVolumeCells(block.Mesh))
+      if (!surface && SkdHasVolumeCells(block))
       {
-        surface.emplace(block.Mesh, chordalLength);
+        surface.emplace(block, chordalLength);
+      }
+      if (surface)
+      {
         mesh = SkdFetchable(surface->Get()); // some faces may have two points
         this->ChordalLength = chordalLength;
       }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Search/Rays/SkdSurfaceNormals.h"
 
-#include "Bodies/SkdOuterSurface.h"
+#include "Bodies/SkdPieceSurfaces.h"
 #include "Cells/Curved/SkdCurvedFaces.h"
 #include "Cells/Read/SkdForEach.h"
 #include "Core/Geometry/Distance/ClosestPointOnTriangle.h"
@@ -259,6 +259,67 @@ std::vector<Vector3> SkdNormalsOfPoints(vtkDataSet* mesh)
   std::vector<Vector3> normals(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
   SkdForEach(normals.size(),
     [&](std::size_t i) { normals[i] = SkdUnit(sums.Get(static_cast<vtkIdType>(i))); });
+  return normals;
+}
+
+namespace
+{
+/// Calls add(number among the points of all pieces, angle, normal) for all outer faces of a piece.
+template <class Add>
+void ForEachNormalOfPiece(const SkdPieceSurface& piece, const Add& add)
+{
+  ForEachNormal(
+    piece.Faces->Get(), [&](vtkIdType face) { return piece.Faces->IsOfVolume(face); },
+    [&](vtkIdType point, double angle, const Vector3& normal)
+    { add(piece.Numbers[static_cast<std::size_t>(point)], angle, normal); });
+}
+
+std::vector<Vector3> NormalsOfPiece(
+  vtkDataSet* mesh, const SkdPieceSurface& piece, const SkdNormalSums& sums)
+{
+  std::vector<Vector3> normals(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < piece.Numbers.size(); ++i)
+  {
+    const vtkIdType point = piece.Faces->GetPointId(static_cast<vtkIdType>(i));
+    if (point >= 0 && piece.Numbers[i] >= 0)
+    {
+      normals[static_cast<std::size_t>(point)] = SkdUnit(sums.Get(piece.Numbers[i]));
+    }
+  }
+  return normals;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<Vector3>> SkdNormalsOfPieces(const std::vector<SkdBlock>& blocks)
+{
+  std::vector<std::vector<Vector3>> normals(blocks.size());
+  const std::vector<std::vector<std::size_t>> meshes = SkdPiecesOfMeshes(blocks);
+  const auto isCurved = [](const SkdBlock& block) { return SkdHasCurvedCells(block.Mesh); };
+  if (meshes.empty() || std::any_of(blocks.begin(), blocks.end(), isCurved))
+  {
+    return normals;
+  }
+  const std::vector<SkdPieceSurface> pieces = SkdSurfacesOfPieces(blocks, 0.0);
+  for (const std::vector<std::size_t>& mesh : meshes)
+  {
+    SkdNormalSums sums(static_cast<vtkIdType>(pieces[mesh.front()].NumberOfAll));
+    for (const std::size_t i : mesh)
+    {
+      ForEachNormalOfPiece(pieces[i],
+        [&](vtkIdType point, double angle, const Vector3&) { sums.Expect(point, angle); });
+    }
+    for (const std::size_t i : mesh)
+    {
+      ForEachNormalOfPiece(pieces[i],
+        [&](vtkIdType point, double angle, const Vector3& normal)
+        { sums.Add(point, angle, normal); });
+    }
+    for (const std::size_t i : mesh)
+    {
+      normals[i] = NormalsOfPiece(blocks[i].Mesh, pieces[i], sums);
+    }
+  }
   return normals;
 }
 }

@@ -12,6 +12,8 @@ class vtkDataSet;
 
 namespace skdtree
 {
+struct SkdBlock;
+
 /// The unit normal of a surface cell by its corners, to the side from which they go round
 /// counterclockwise; of a strip that of the triangle nearest to x, of a curved cell that at the
 /// point nearest to x. 0 of other cells, and of cells without area. Thread-safe after
@@ -28,6 +30,11 @@ std::vector<skd::Vector3> SkdNormalsOfCells(vtkDataSet* mesh);
 /// cells they are those of the surface itself at the points' parameters. Of a mesh with volume
 /// cells, the normals of its outer faces as well. 0 where there is none.
 std::vector<skd::Vector3> SkdNormalsOfPoints(vtkDataSet* mesh);
+
+/// The same of the blocks that are pieces of one mesh of volume cells (SkdPieceSurfaces.h): without
+/// faces between pieces, but with those of all pieces at a point. None of other blocks, nor where
+/// any has curved cells.
+std::vector<std::vector<skd::Vector3>> SkdNormalsOfPieces(const std::vector<SkdBlock>& blocks);
 }
 
 #endif

@@ -6,6 +6,8 @@
 #include "Core/Geometry/DisjointSets.h"
 #include "Solids/Boolean/SkdFacets.h"
 
+#include <algorithm>
+
 namespace skdtree
 {
 namespace
@@ -28,8 +30,17 @@ SkdBooleanBlocks SkdMakeBooleanBlocks(vtkDataObject* input, vtkDataObject* sourc
 {
   SkdBooleanBlocks blocks{ SkdBlocksOf(input), 0, SkdIsComposite(input) || SkdIsComposite(source) };
   blocks.FirstOfSource = static_cast<int>(blocks.All.size());
-  const std::vector<SkdBlock> others = SkdBlocksOf(source);
-  blocks.All.insert(blocks.All.end(), others.begin(), others.end());
+  int pieces = 0; // the Source's numbers of them follow those of the Input
+  for (SkdBlock& block : blocks.All)
+  {
+    pieces = std::max(pieces, block.FirstPiece + 1);
+    block.FirstPiece = source ? block.FirstPiece : -1; // each block is a solid
+  }
+  for (SkdBlock& block : SkdBlocksOf(source))
+  {
+    block.FirstPiece += block.FirstPiece >= 0 ? pieces : 0;
+    blocks.All.push_back(block);
+  }
   return blocks;
 }
 

@@ -99,9 +99,8 @@ inline void SkdTriangleReader::AddTriangle(const SkdTriangleCell& cell, const Co
 }
 
 //------------------------------------------------------------------------------
-void SkdTriangleReader::Read(int block, vtkDataSet* mesh, double chordalLength)
+void SkdTriangleReader::Read(int block, vtkDataSet* mesh, const SkdBlockSurface& surface)
 {
-  const SkdBlockSurface surface(mesh, chordalLength);
   this->To.CoarseFaces += surface.GetNumberOfCoarseFaces();
   this->MarkPoints(surface);
   this->ReadPoints(block, surface);

@@ -91,8 +91,7 @@ struct SkdReadTriangles
 class SkdTriangleReader
 {
 public:
-  /// Curved faces as facets no farther from them than a length (SkdChordalLength).
-  void Read(int block, vtkDataSet* mesh, double chordalLength);
+  void Read(int block, vtkDataSet* mesh, const SkdBlockSurface& surface);
 
   /// The largest magnitude of a coordinate that was read.
   double GetLargestCoordinate() const { return skd::LargestCoordinate(this->To.Bounds); }

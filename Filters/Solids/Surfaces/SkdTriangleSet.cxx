@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Surfaces/SkdTriangleSet.h"
 
-#include "Bodies/SkdOuterSurface.h"
+#include "Bodies/SkdPieceSurfaces.h"
 #include "Bodies/SkdWeld.h"
 #include "Cells/Read/SkdForEach.h"
 #include "Cells/Search/SkdBuildTree.h"
@@ -43,11 +43,9 @@ bool SkdTriangleSet::Update(
     *this = SkdTriangleSet();
     this->ChordalLength = chordalLength;
     reader.emplace();
-    int block = 0;
-    for (const SkdBlock& structure : this->Meshes.Keep(blocks))
-    {
-      reader->Read(block++, structure.Mesh, chordalLength);
-    }
+    SkdVisitSurfaces(this->Meshes.Keep(blocks), chordalLength,
+      [&](int block, const SkdBlockSurface& surface)
+      { reader->Read(block, this->Meshes.Get(block), surface); });
   };
   if (!isSame)
   {

@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bodies/SkdInnerFaces.h"
+
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace skdtree
+{
+namespace
+{
+using skd::Vector3;
+
+bool IsWhole(double x)
+{
+  return x == std::round(x);
+}
+
+/// A rectangle in a plane of a lattice, and on which side of it its cell is.
+struct Rectangle
+{
+  int Axis; // across
+  bool IsCellBelow;
+  std::int64_t Plane;
+  std::array<std::int64_t, 2> First;
+  std::array<std::int64_t, 2> Size;
+
+  std::int64_t Area() const { return this->Size[0] * this->Size[1]; }
+
+  std::array<std::int64_t, 7> Key() const
+  {
+    return { this->Axis, this->IsCellBelow, this->Plane, this->Size[0], this->Size[1],
+      this->First[0], this->First[1] };
+  }
+};
+
+std::int64_t Remainder(std::int64_t a, std::int64_t n)
+{
+  return (a % n + n) % n;
+}
+
+/// The larger rectangles that others lie on, seen from the other side.
+class Cover
+{
+public:
+  void Add(std::size_t face, const Rectangle& rectangle)
+  {
+    this->Rectangles.push_back(rectangle);
+    this->Faces.push_back(face);
+    this->Order.emplace_back(rectangle.Key(), this->Order.size());
+    const auto& first = rectangle.First;
+    const auto& size = rectangle.Size;
+    this->Kinds.insert({ rectangle.Axis, rectangle.IsCellBelow, size[0], size[1],
+      Remainder(first[0], size[0]), Remainder(first[1], size[1]) });
+  }
+
+  /// Marks the rectangles that smaller ones cover wholly, and these.
+  void Mark(std::vector<unsigned char>& isMarked)
+  {
+    std::sort(this->Order.begin(), this->Order.end());
+    std::vector<std::int64_t> covered(this->Rectangles.size(), 0);
+    std::vector<std::pair<std::size_t, std::size_t>> pairs; // small, large
+    for (std::size_t small = 0; small < this->Rectangles.size(); ++small)
+    {
+      for (const std::array<std::int64_t, 6>& kind : this->Kinds)
+      {
+        const std::size_t large = this->FindOf(kind, this->Rectangles[small]);
+        if (large < covered.size())
+        {
+          covered[large] += this->Rectangles[small].Area();
+          pairs.emplace_back(small, large);
+        }
+      }
+    }
+    for (const auto& [small, large] : pairs)
+    {
+      if (covered[large] == this->Rectangles[large].Area())
+      {
+        isMarked[this->Faces[small]] = isMarked[this->Faces[large]] = 1;
+      }
+    }
+  }
+
+private:
+  /// The rectangle of a kind that a smaller one lies on; if there is none, how many there are.
+  std::size_t FindOf(const std::array<std::int64_t, 6>& kind, const Rectangle& small) const
+  {
+    Rectangle large = small;
+    large.IsCellBelow = !small.IsCellBelow;
+    large.Size = { kind[2], kind[3] };
+    bool isWithin = kind[0] == small.Axis && kind[1] == (large.IsCellBelow ? 1 : 0) &&
+      large.Area() > small.Area();
+    for (std::size_t i = 0; isWithin && i < 2; ++i)
+    {
+      const std::int64_t beyond = Remainder(small.First[i] - kind[4 + i], large.Size[i]);
+      large.First[i] = small.First[i] - beyond;
+      isWithin = beyond + small.Size[i] <= large.Size[i];
+    }
+    const auto found = std::lower_bound(
+      this->Order.begin(), this->Order.end(), std::make_pair(large.Key(), std::size_t(0)));
+    return isWithin && found != this->Order.end() && found->first == large.Key()
+      ? found->second
+      : this->Rectangles.size();
+  }
+
+  std::vector<Rectangle> Rectangles;
+  std::vector<std::size_t> Faces;
+  std::vector<std::pair<std::array<std::int64_t, 7>, std::size_t>> Order;
+  std::set<std::array<std::int64_t, 6>> Kinds; // axis, side, sizes, where they begin
+};
+
+/// Of a face with the corners of a rectangle of the lattice. Returns whether it is one.
+bool FindRectangle(const std::vector<Vector3>& corners, const Vector3& within, Rectangle& rectangle)
+{
+  Vector3 low = corners.front();
+  Vector3 high = low;
+  bool isWhole = corners.size() == 4;
+  for (const Vector3& corner : corners)
+  {
+    low = skd::Least(low, corner);
+    high = skd::Greatest(high, corner);
+    isWhole = isWhole && IsWhole(corner[0]) && IsWhole(corner[1]) && IsWhole(corner[2]);
+  }
+  int flat = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    rectangle.Axis = low[axis] == high[axis] ? axis : rectangle.Axis;
+    flat += low[axis] == high[axis] ? 1 : 0;
+  }
+  if (!isWhole || flat != 1)
+  {
+    return false;
+  }
+  rectangle.Plane = static_cast<std::int64_t>(low[rectangle.Axis]);
+  rectangle.IsCellBelow = within[rectangle.Axis] < low[rectangle.Axis];
+  for (int i = 0; i < 2; ++i)
+  {
+    const int axis = (rectangle.Axis + 1 + i) % 3;
+    rectangle.First[i] = static_cast<std::int64_t>(low[axis]);
+    rectangle.Size[i] = static_cast<std::int64_t>(high[axis] - low[axis]);
+  }
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+SkdInnerFaces::SkdInnerFaces(const std::vector<vtkDataSet*>& pieces)
+  : IsLattice(!pieces.empty())
+{
+  bool isFirst = true;
+  for (vtkDataSet* piece : pieces)
+  {
+    auto* image = vtkImageData::SafeDownCast(piece);
+    this->IsLattice = this->IsLattice && image && image->GetDirectionMatrix()->IsIdentity();
+    if (this->IsLattice)
+    {
+      const double* spacing = image->GetSpacing();
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double least = isFirst ? spacing[axis] : this->Spacing[axis];
+        this->Spacing[axis] = std::min(least, spacing[axis]);
+      }
+      if (isFirst)
+      {
+        image->GetPoint(0, this->Origin.X);
+      }
+      isFirst = false;
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->IsLattice = this->IsLattice && this->Spacing[axis] > 0.0;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Where a point is on the lattice, in its steps, or in space.
+Vector3 SkdInnerFaces::KeyOf(const Vector3& x) const
+{
+  constexpr double rounding = 1e-4; // more than any
+  Vector3 key = x;
+  for (int axis = 0; axis < 3 && this->IsLattice; ++axis)
+  {
+    key[axis] = (x[axis] - this->Origin[axis]) / this->Spacing[axis];
+    const double nearest = std::round(key[axis]);
+    key[axis] = std::abs(key[axis] - nearest) < rounding ? nearest : key[axis];
+  }
+  return key;
+}
+
+//------------------------------------------------------------------------------
+void SkdInnerFaces::Add(const std::vector<Vector3>& corners, const Vector3& within)
+{
+  std::vector<vtkIdType> ids;
+  for (const Vector3& corner : corners)
+  {
+    ids.push_back(this->Weld.GetId(this->KeyOf(corner).X));
+    if (static_cast<std::size_t>(ids.back()) == this->Points.size())
+    {
+      this->Points.push_back(corner);
+    }
+  }
+  this->Corners.Add(ids.begin(), ids.end());
+  this->Within.push_back(within);
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned char> SkdInnerFaces::Find() const
+{
+  std::vector<unsigned char> isInner(this->Within.size(), 0);
+  this->FindEqual(isInner);
+  if (this->IsLattice)
+  {
+    this->FindCovered(isInner);
+  }
+  return isInner;
+}
+
+//------------------------------------------------------------------------------
+// Of as many faces from either side none is left.
+void SkdInnerFaces::FindEqual(std::vector<unsigned char>& isInner) const
+{
+  skd::Rows<vtkIdType> names; // corners ascending
+  std::vector<vtkIdType> name;
+  for (std::size_t face = 0; face < isInner.size(); ++face)
+  {
+    const auto corners = this->Corners[face];
+    name.assign(corners.begin(), corners.end());
+    std::sort(name.begin(), name.end());
+    names.Add(name.begin(), name.end());
+  }
+  std::vector<std::size_t> order(isInner.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto isBefore = [&names](std::size_t a, std::size_t b)
+  {
+    return std::lexicographical_compare(
+      names[a].begin(), names[a].end(), names[b].begin(), names[b].end());
+  };
+  std::stable_sort(order.begin(), order.end(), isBefore);
+  for (auto begin = order.begin(); begin != order.end();)
+  {
+    const auto end =
+      std::find_if(begin, order.end(), [&](std::size_t face) { return isBefore(*begin, face); });
+    const auto opposite = std::count_if(
+      begin, end, [&](std::size_t face) { return this->AreOnOppositeSides(*begin, face); });
+    for (auto at = begin; 2 * opposite == end - begin && at != end; ++at)
+    {
+      isInner[*at] = 1;
+    }
+    begin = end;
+  }
+}
+
+//------------------------------------------------------------------------------
+// The cells of two faces with the same corners, in whatever order these are.
+bool SkdInnerFaces::AreOnOppositeSides(std::size_t first, std::size_t second) const
+{
+  const auto corners = this->Corners[first];
+  const Vector3& from = this->GetPoint(corners[0]);
+  Vector3 normal{};
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+  {
+    const Vector3 area =
+      skd::Cross(this->GetPoint(corners[i]) - from, this->GetPoint(corners[i + 1]) - from);
+    normal = skd::Norm2(area) > skd::Norm2(normal) ? area : normal;
+  }
+  return skd::Dot(normal, this->Within[first] - from) > 0.0 !=
+    skd::Dot(normal, this->Within[second] - from) > 0.0;
+}
+
+//------------------------------------------------------------------------------
+void SkdInnerFaces::FindCovered(std::vector<unsigned char>& isInner) const
+{
+  Cover cover;
+  std::vector<Vector3> corners;
+  for (std::size_t face = 0; face < isInner.size(); ++face)
+  {
+    corners.clear();
+    for (const vtkIdType corner : this->Corners[face])
+    {
+      corners.push_back(this->Weld.GetPoints()[static_cast<std::size_t>(corner)]);
+    }
+    Rectangle rectangle{};
+    if (isInner[face] == 0 && FindRectangle(corners, this->KeyOf(this->Within[face]), rectangle))
+    {
+      cover.Add(face, rectangle);
+    }
+  }
+  cover.Mark(isInner);
+}
+
+//------------------------------------------------------------------------------
+void SkdInnerFaces::FindAllCorners(
+  std::size_t face, const std::vector<unsigned char>& counts, std::vector<vtkIdType>& corners) const
+{
+  const auto given = this->Corners[face];
+  corners.clear();
+  for (std::size_t i = 0; i < given.size(); ++i)
+  {
+    corners.push_back(given[i]);
+    const auto keyOf = [this](vtkIdType corner)
+    { return this->Weld.GetPoints()[static_cast<std::size_t>(corner)]; };
+    const Vector3 from = keyOf(given[i]);
+    const Vector3 side = keyOf(given[(i + 1) % given.size()]) - from;
+    const double length = std::abs(side[0]) + std::abs(side[1]) + std::abs(side[2]);
+    const bool isSide =
+      this->IsLattice && IsWhole(length) && std::count(side.X, side.X + 3, 0.0) == 2;
+    const Vector3 along{ { side[0] / length, side[1] / length, side[2] / length } };
+    for (double step = 1.0; isSide && step < length; step += 1.0)
+    {
+      const vtkIdType between = this->Weld.Find((from + step * along).X);
+      if (between >= 0 && counts[static_cast<std::size_t>(between)] != 0)
+      {
+        corners.push_back(between);
+      }
+    }
+  }
+}
+}
