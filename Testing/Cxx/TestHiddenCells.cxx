@@ -69,10 +69,15 @@ struct Pair
 };
 
 /// No sphere, on which samples of grids would count by their latitude.
-PolyDataPointer Ball()
+Mesh BallTriangles()
 {
   const auto flat = [](const Point& x) -> Point { return { x[0], x[1], 0.9 * x[2] }; };
-  return MakePolyData(Transformed(SphereTriangles(6), 0.8, { 1.2, 1.1, 1.3 }).Map(flat));
+  return Transformed(SphereTriangles(6), 0.8, { 1.2, 1.1, 1.3 }).Map(flat);
+}
+
+PolyDataPointer Ball()
+{
+  return MakePolyData(BallTriangles());
 }
 
 constexpr double NotFinite = 1e9;
@@ -299,6 +304,70 @@ TEST(HiddenCells, HaveNoPartInAFieldThatAMeshFollows)
   }
   EXPECT_FALSE(areas[0].empty());
   EXPECT_EQ(areas[0], areas[1]);
+}
+
+TEST(HiddenCells, AreNotMovedAndHoldNoOthers)
+{
+  Mesh mesh = BallTriangles();
+  const auto shown = static_cast<vtkIdType>(mesh.Cells.size());
+  const GridPointer alone = MakeGrid(mesh);
+  const vtkIdType own = mesh.Add({ 7, 5, 3 });
+  mesh.Add(VTK_TRIANGLE, { 0, 1, own });
+  mesh.Add(VTK_TRIANGLE, { 0, 1, 20 });
+  mesh.Add(VTK_TETRA, { 2, 3, 40, 50 });
+  const GridPointer marked = MakeGrid(mesh);
+  MarkGhosts(marked, { shown, shown + 1, shown + 2 }, vtkDataSetAttributes::HIDDENCELL);
+  const Pair pair;
+  std::vector<std::vector<double>> moves;
+  for (const GridPointer& input : { alone, marked })
+  {
+    const auto filter = MakeOf<vtkSkdTreeMeshAdaptation>(input, pair.Shown);
+    EventCounter events(filter);
+    filter->SetFieldArray("f");
+    filter->SetMaximumIterations(2);
+    filter->Update();
+    EXPECT_EQ(events.Warnings, 1); // of the error that is left
+    EXPECT_EQ(events.Warning.find("of Input"), std::string::npos) << events.Warning;
+    EXPECT_EQ(Reported(filter, "MovedCells"), static_cast<double>(shown));
+    auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    EXPECT_EQ(output->GetCellGhostArray() != nullptr, input == marked);
+    moves.push_back(PointArray(output, "SkdDisplacement"));
+  }
+  moves[0].resize(moves[1].size(), 0.0); // the point that hidden cells alone have stays
+  EXPECT_GT(*std::max_element(moves[0].begin(), moves[0].end()), 0.0);
+  EXPECT_EQ(moves[0], moves[1]);
+}
+
+// The hidden triangle covers the sheet, and comes first by the positions of its corners.
+TEST(HiddenCells, HaveNoPartInWhatAMeshMissesOfAField)
+{
+  Mesh mesh = Transformed(Sheet(8, VTK_QUAD), 0.125, { 0, 0, 0 });
+  std::vector<double> errors;
+  for (const bool hasHidden : { false, true })
+  {
+    const auto hidden = static_cast<vtkIdType>(mesh.Cells.size());
+    if (hasHidden)
+    {
+      mesh.Add(
+        VTK_TRIANGLE, { mesh.Add({ -1, -1, 0 }), mesh.Add({ 4, -1, 0 }), mesh.Add({ -1, 4, 0 }) });
+    }
+    const PolyDataPointer source = MakePolyData(mesh);
+    const auto value = [&](vtkIdType i)
+    { return hasHidden && i + 3 >= source->GetNumberOfPoints() ? HiddenValue : 1.0 + i % 9; };
+    source->GetPointData()->AddArray(MakeArray("f", source->GetNumberOfPoints(), value));
+    if (hasHidden)
+    {
+      MarkGhosts(source, { hidden }, vtkDataSetAttributes::HIDDENCELL);
+    }
+    const auto input = MakePolyData(Transformed(Sheet(5, VTK_QUAD), 0.2, { 0, 0, 0 }));
+    const auto filter = MakeOf<vtkSkdTreeMeshAdaptation>(input, source);
+    filter->SetMonitor(vtkSkdTreeMeshAdaptation::VALUE);
+    filter->SetMaximumIterations(2);
+    filter->Update();
+    errors.push_back(Reported(filter, "EquidistributionOfField"));
+  }
+  EXPECT_GT(errors[0], 0.0);
+  EXPECT_EQ(errors[0], errors[1]);
 }
 
 TEST(HiddenCells, SendNoRays)

@@ -5,6 +5,7 @@
 #include "Cells/Read/SkdCellReader.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLonLat.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
@@ -28,13 +29,14 @@ namespace
 /// So many points are looked for at a time.
 constexpr vtkIdType BatchSize = 1 << 17;
 
-/// The cells of a mesh, which CanRead, as polygons in the order of the positions of their corners.
+/// The counted cells of a mesh, which CanRead, as polygons in the order of the positions of their
+/// corners.
 class CellsByPosition
 {
 public:
   explicit CellsByPosition(vtkPointSet* mesh);
 
-  /// `values` of the cells decide between those with the same corners; it may be empty. The new
+  /// `values` of all cells decide between those with the same corners; it may be empty. The new
   /// mesh, and the old id of each of its cells.
   vtkSmartPointer<vtkPolyData> Sort(
     const std::vector<double>& values, std::vector<vtkIdType>& oldIds) const;
@@ -50,6 +52,7 @@ private:
   int Compare(vtkIdType a, vtkIdType b) const;
 
   vtkPointSet* Mesh;
+  std::vector<vtkIdType> Ids;     // of the cells
   std::vector<vtkIdType> Corners; // cell after cell
   std::vector<std::size_t> Firsts;
 };
@@ -58,10 +61,16 @@ CellsByPosition::CellsByPosition(vtkPointSet* mesh)
   : Mesh(mesh)
   , Firsts(1, 0)
 {
+  const std::vector<unsigned char> counted = SkdFindCounted(mesh);
   const SkdCellReader reader(mesh);
   vtkNew<vtkIdList> list;
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
+    if (counted[static_cast<std::size_t>(cell)] == 0)
+    {
+      continue;
+    }
+    this->Ids.push_back(cell);
     reader.VisitPoints(cell, list,
       [this](const auto* ids, std::size_t size)
       { this->Corners.insert(this->Corners.end(), ids, ids + size); });
@@ -95,9 +104,10 @@ int CellsByPosition::Compare(vtkIdType a, vtkIdType b) const
 vtkSmartPointer<vtkPolyData> CellsByPosition::Sort(
   const std::vector<double>& values, std::vector<vtkIdType>& oldIds) const
 {
-  const auto valueOf = [&](vtkIdType cell)
+  const auto valueOf = [&](vtkIdType i)
   {
-    const double value = values.empty() ? 0.0 : values[static_cast<std::size_t>(cell)];
+    const auto cell = static_cast<std::size_t>(this->Ids[static_cast<std::size_t>(i)]);
+    const double value = values.empty() ? 0.0 : values[cell];
     return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
   };
   oldIds.resize(this->Firsts.size() - 1);
@@ -111,11 +121,12 @@ vtkSmartPointer<vtkPolyData> CellsByPosition::Sort(
   vtkNew<vtkCellArray> cells;
   cells->AllocateExact(
     static_cast<vtkIdType>(oldIds.size()), static_cast<vtkIdType>(this->Corners.size()));
-  for (const vtkIdType cell : oldIds)
+  for (vtkIdType& cell : oldIds)
   {
     const std::size_t* const first = this->Firsts.data() + cell;
     cells->InsertNextCell(
       static_cast<vtkIdType>(first[1] - first[0]), this->Corners.data() + first[0]);
+    cell = this->Ids[static_cast<std::size_t>(cell)];
   }
   auto sorted = vtkSmartPointer<vtkPolyData>::New();
   sorted->SetPoints(this->Mesh->GetPoints());
@@ -137,16 +148,21 @@ bool SkdFieldIntegral::CanRead(vtkDataObject* source)
     return false;
   }
   vtkDataSet* mesh = blocks.front().Mesh;
-  const vtkIdType n = mesh->GetNumberOfCells();
+  const std::vector<unsigned char> counted = SkdFindCounted(mesh);
   const SkdCellReader reader(mesh);
-  bool areSurfaces = n > 0;
-  for (vtkIdType cell = 0; cell < n && areSurfaces; ++cell)
+  std::size_t surfaces = 0;
+  for (std::size_t cell = 0; cell < counted.size(); ++cell)
   {
-    const int type = reader.TypeOf(cell);
-    areSurfaces =
+    const int type = reader.TypeOf(static_cast<vtkIdType>(cell));
+    const bool isSurface =
       type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_PIXEL || type == VTK_POLYGON;
+    if (counted[cell] != 0 && !isSurface)
+    {
+      return false;
+    }
+    surfaces += counted[cell];
   }
-  return areSurfaces;
+  return surfaces > 0;
 }
 
 SkdFieldIntegral::SkdFieldIntegral(vtkDataObject* source, const SkdFieldSamples& values,

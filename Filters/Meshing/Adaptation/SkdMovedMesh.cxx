@@ -6,6 +6,7 @@
 #include "Cells/Read/SkdCellReader.h"
 #include "Cells/Read/SkdMagnitudes.h"
 #include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -29,7 +30,7 @@ constexpr std::uint32_t None = skd::MeshEdge::None;
 enum class Use
 {
   Moves,
-  Follows, // points and lines: what they do does not matter
+  Follows, // points and lines, and what is hidden: what they do does not matter
   Holds
 };
 
@@ -115,11 +116,12 @@ public:
     {
       return;
     }
+    const std::vector<unsigned char> shown = SkdFindShown(mesh, vtkDataObject::CELL);
     const SkdCellReader reader(mesh);
     for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
     {
       const int type = reader.TypeOf(cell);
-      const Use use = UseOf(type);
+      const Use use = shown[static_cast<std::size_t>(cell)] != 0 ? UseOf(type) : Use::Follows;
       if (use != Use::Follows)
       {
         this->Gather(reader, cell, type);
@@ -144,7 +146,8 @@ public:
   }
 
 private:
-  /// Points that were dropped, and those of lines, go with the node where they are, if any.
+  /// Points that were dropped, and those of lines and hidden cells, go with the node where they
+  /// are, if any.
   void LetPointsFollow()
   {
     const auto nodes = static_cast<vtkIdType>(this->Weld.GetPoints().size());

@@ -18,8 +18,9 @@ namespace skdtree
 {
 /// Triangles, quads, pixels and polygons of all blocks. Points of equal coordinates are one, be
 /// they of different blocks: so seams stay closed. Points of other cells of two dimensions or more
-/// (their number is CellsLeftOut) stay where they are, and so do those of broken polygons. Points
-/// and cells are in the order of coordinates, whatever order the blocks have.
+/// (their number is CellsLeftOut) stay where they are, and so do those of broken polygons. Hidden
+/// cells are none of it; points that they alone use stay where they are. Points and cells are in
+/// the order of coordinates, whatever order the blocks have.
 class SkdMovedMesh
 {
 public:
@@ -47,7 +48,7 @@ private:
   struct Block
   {
     int Index = 0;                          // flat, in the composite data
-    std::vector<std::uint32_t> NodeOfPoint; // None of points that no cell has
+    std::vector<std::uint32_t> NodeOfPoint; // None of points that no shown cell has
     std::vector<std::uint32_t> CellOfCell;
   };
 
