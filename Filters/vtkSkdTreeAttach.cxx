@@ -46,7 +46,7 @@ int vtkSkdTreeAttach::GetTreesBuilt() const
 vtkTypeBool vtkSkdTreeAttach::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return SkdProcessValid(this, request, inputVector, outputVector,
+  return SkdProcessValid(this, request, inputVector, outputVector, nullptr,
     [&](vtkInformationVector** valid)
     { return this->Superclass::ProcessRequest(request, valid, outputVector); });
 }

@@ -198,7 +198,7 @@ vtkSkdTreeRepresentation::~vtkSkdTreeRepresentation() = default;
 vtkTypeBool vtkSkdTreeRepresentation::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return SkdProcessValid(this, request, inputVector, outputVector,
+  return SkdProcessValid(this, request, inputVector, outputVector, nullptr,
     [&](vtkInformationVector** valid)
     { return this->Superclass::ProcessRequest(request, valid, outputVector); });
 }

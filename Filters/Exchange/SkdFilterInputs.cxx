@@ -162,7 +162,8 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
   std::vector<vtkSmartPointer<vtkInformationVector>> retained;
   std::vector<vtkInformationVector*> whole;
   const bool areAlike = this->CheckKinds(outputs);
-  const bool isRefused = areAlike && SkdRefuseOthers(this->Filter, inputs);
+  const bool isRefused = areAlike &&
+    SkdRefuseOthers(this->Filter, inputs, SkdControllerOf(outputs->GetInformationObject(0)));
   if (areAlike && !isRefused)
   {
     this->GatherAll(valid.Get(), outputs, retained, whole);

@@ -9,11 +9,13 @@
 #include "Pipeline/SkdUnusablePoints.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
 
 #include <mutex>
 #include <sstream>
@@ -127,6 +129,78 @@ private:
   std::ostringstream Points;
 };
 
+/// What a data object that came to an input port has.
+struct Leaves
+{
+  Leaves(int port, vtkDataObject* object)
+    : Port(port)
+    , IsComposite(SkdIsComposite(object))
+  {
+    if (!this->IsComposite)
+    {
+      this->Add(object);
+      return;
+    }
+    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(
+      static_cast<vtkCompositeDataSet*>(object)->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      this->Add(iterator->GetCurrentDataObject());
+    }
+  }
+
+  bool AreOthersOnly() const { return this->HasOthers && !this->HasMeshes; }
+
+  std::string Tell() const;
+
+  int Port;
+  bool IsComposite;
+  bool HasMeshes = false;         // on any process
+  bool HasOthers = false;         // likewise
+  vtkDataObject* Other = nullptr; // the first of this process that is no mesh
+
+private:
+  void Add(vtkDataObject* leaf)
+  {
+    const bool isMesh = vtkDataSet::SafeDownCast(leaf) != nullptr;
+    this->Other = isMesh || this->Other ? this->Other : leaf;
+    this->HasMeshes = this->HasMeshes || isMesh;
+    this->HasOthers = this->Other != nullptr;
+  }
+};
+
+std::string Leaves::Tell() const
+{
+  std::ostringstream text;
+  text << "Input port " << this->Port
+       << (this->IsComposite ? " has no mesh among its blocks, the first of which is of type "
+                             : " is of type ")
+       << this->Other->GetClassName()
+       << (this->IsComposite ? "" : ", which is neither a mesh nor composite data");
+  const bool isTree = this->Other->GetDataObjectType() == VTK_HYPER_TREE_GRID;
+  text << (isTree ? ": convert it by vtkHyperTreeGridToUnstructuredGrid." : ".");
+  return text.str();
+}
+
+/// The pieces of some processes may be empty.
+void ShareMeshes(std::vector<Leaves>& all, vtkMultiProcessController& controller)
+{
+  std::vector<int> here;
+  for (const Leaves& leaves : all)
+  {
+    here.push_back(leaves.HasMeshes ? 1 : 0);
+    here.push_back(leaves.HasOthers ? 1 : 0);
+  }
+  std::vector<int> anywhere(here.size());
+  controller.AllReduce(
+    here.data(), anywhere.data(), static_cast<vtkIdType>(here.size()), vtkCommunicator::MAX_OP);
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    all[i].HasMeshes = anywhere[2 * i] != 0;
+    all[i].HasOthers = anywhere[2 * i + 1] != 0;
+  }
+}
+
 vtkSmartPointer<vtkDataObject> RepairedBlocks::PutInto(vtkDataObject* object) const
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(object);
@@ -196,26 +270,31 @@ SkdValidInput::SkdValidInput(
 }
 
 //------------------------------------------------------------------------------
-bool SkdRefuseOthers(vtkAlgorithm* filter, vtkInformationVector** inputs)
+bool SkdRefuseOthers(
+  vtkAlgorithm* filter, vtkInformationVector** inputs, vtkMultiProcessController* controller)
 {
+  std::vector<Leaves> all;
   for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
-      vtkDataObject* object = vtkDataObject::GetData(inputs[port], i);
-      if (!object || SkdIsComposite(object) || vtkDataSet::SafeDownCast(object))
-      {
-        continue;
-      }
-      const bool isTree = object->GetDataObjectType() == VTK_HYPER_TREE_GRID;
-      vtkErrorWithObjectMacro(filter,
-        "Input port " << port << " is of type " << object->GetClassName()
-                      << ", which is neither a mesh nor composite data"
-                      << (isTree ? ": convert it by vtkHyperTreeGridToUnstructuredGrid." : "."));
-      return true;
+      all.emplace_back(port, vtkDataObject::GetData(inputs[port], i));
     }
   }
-  return false;
+  if (controller)
+  {
+    ShareMeshes(all, *controller);
+  }
+  bool isAny = false;
+  for (const Leaves& leaves : all)
+  {
+    if (leaves.AreOthersOnly() && leaves.Other && !isAny)
+    {
+      vtkErrorWithObjectMacro(filter, << leaves.Tell());
+    }
+    isAny = isAny || leaves.AreOthersOnly();
+  }
+  return isAny;
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 
 class vtkAlgorithm;
 class vtkInformation;
+class vtkMultiProcessController;
 
 namespace skdtree
 {
@@ -50,17 +51,20 @@ private:
   std::vector<vtkInformationVector*> RepairedInputs;
 };
 
-/// Whether there is an input that is no data set and no composite of them. Then there is an error,
-/// and the outputs are to stay empty.
-bool SkdRefuseOthers(vtkAlgorithm* filter, vtkInformationVector** inputs);
+/// Whether there is an input that is no data set and no composite of them, or composite data that
+/// have blocks, but none that is a data set: of several processes, if there is a controller, on all
+/// of them, which must call it together. Then there is an error, and the outputs are to stay empty.
+bool SkdRefuseOthers(
+  vtkAlgorithm* filter, vtkInformationVector** inputs, vtkMultiProcessController* controller);
 
 /// The ProcessRequest of a filter that has nothing else to do there: process(inputs) is that of its
-/// superclass.
+/// superclass. `controller` is that of SkdRefuseOthers.
 template <class Process>
 auto SkdProcessValid(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, const Process& process)
+  vtkInformationVector* outputs, vtkMultiProcessController* controller, const Process& process)
 {
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) && SkdRefuseOthers(filter, inputs))
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) &&
+    SkdRefuseOthers(filter, inputs, controller))
   {
     return decltype(process(inputs))(1);
   }

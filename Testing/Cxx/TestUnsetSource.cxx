@@ -4,11 +4,14 @@
 
 #include "Support/EachFilter.h"
 #include "Support/EventCounter.h"
+#include "Support/FilterRun.h"
 #include "Support/SurfaceMeshes.h"
 
 #include "vtkDataSet.h"
 #include "vtkExecutive.h"
 #include "vtkHyperTreeGrid.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkSkdTreeClosestPoint.h"
 #include "vtkSkdTreeCompareSurfaces.h"
 #include "vtkSkdTreeCurveSurfaceIntersection.h"
@@ -65,23 +68,66 @@ INSTANTIATE_TEST_SUITE_P(AllFilters, InputsOfOtherTypes,
   testing::Range<std::size_t>(0, AllFilterSetups().size()),
   [](const auto& info) { return AllFilterSetups()[info.param].Name; });
 
+/// The error names the class, and what to do with trees.
+void ExpectOneError(vtkAlgorithm* filter, const std::string& name)
+{
+  SCOPED_TRACE(name);
+  EventCounter events(filter);
+  EventCounter pipeline(filter->GetExecutive());
+  filter->Update();
+  EXPECT_EQ(pipeline.Errors, 0) << pipeline.Error;
+  EXPECT_EQ(events.Errors, 1);
+  EXPECT_EQ(events.Warnings, 0) << events.Warning;
+  EXPECT_NE(events.Error.find(name), std::string::npos) << events.Error;
+  EXPECT_EQ(events.Error.find("vtkHyperTreeGridToUnstructuredGrid") != std::string::npos,
+    name.find("HyperTree") != std::string::npos)
+    << events.Error;
+  vtkDataObject* output = filter->GetOutputDataObject(0);
+  ASSERT_NE(output, nullptr);
+  EXPECT_EQ(output->GetNumberOfElements(vtkDataObject::CELL), 0);
+  EXPECT_EQ(output->GetNumberOfElements(vtkDataObject::POINT), 0);
+}
+
 TEST_P(InputsOfOtherTypes, AreOneError)
 {
   const vtkNew<vtkHyperTreeGrid> trees;
   const vtkNew<vtkTable> table;
   for (vtkDataObject* other : std::vector<vtkDataObject*>{ trees, table })
   {
+    ExpectOneError(this->Setup.Make(other), other->GetClassName());
+  }
+}
+
+TEST_P(InputsOfOtherTypes, AreOneErrorAsAllBlocks)
+{
+  const vtkNew<vtkTable> table;
+  const vtkNew<vtkHyperTreeGrid> trees;
+  const auto blocks = MakeBlocks({ nullptr, MakeBlocks({ table, trees }) });
+  const vtkNew<vtkPartitionedDataSet> partitions;
+  partitions->SetPartition(0, trees);
+  const vtkNew<vtkPartitionedDataSetCollection> collection;
+  collection->SetPartition(1, 0, table);
+  ExpectOneError(this->Setup.Make(blocks), "vtkTable");
+  ExpectOneError(this->Setup.Make(partitions), "vtkHyperTreeGrid");
+  ExpectOneError(this->Setup.Make(collection), "vtkTable");
+}
+
+// Nor is there an error if one of the blocks is a mesh.
+TEST_P(InputsOfOtherTypes, AreNoErrorWhereThereAreNoBlocks)
+{
+  const vtkNew<vtkTable> table;
+  const auto mesh = WithData(MakePolyData(SphereTriangles(4)));
+  const vtkNew<vtkPartitionedDataSet> partitions;
+  const vtkNew<vtkPartitionedDataSetCollection> collection;
+  collection->SetNumberOfPartitionedDataSets(2);
+  const std::vector<vtkSmartPointer<vtkDataObject>> all{ MakeBlocks({ nullptr }), partitions,
+    collection, MakeBlocks({ table, mesh }) };
+  for (vtkDataObject* other : all)
+  {
     const auto filter = this->Setup.Make(other);
     EventCounter events(filter);
-    EventCounter pipeline(filter->GetExecutive());
     filter->Update();
-    EXPECT_EQ(pipeline.Errors, 0) << pipeline.Error;
-    EXPECT_EQ(events.Errors, 1);
-    EXPECT_EQ(events.Warnings, 0) << events.Warning;
-    EXPECT_NE(events.Error.find(other->GetClassName()), std::string::npos) << events.Error;
-    vtkDataObject* output = filter->GetOutputDataObject(0);
-    ASSERT_NE(output, nullptr);
-    EXPECT_EQ(output->GetNumberOfElements(vtkDataObject::CELL), 0);
+    EXPECT_EQ(events.Error.find("Input port"), std::string::npos) << events.Error;
   }
 }
 
