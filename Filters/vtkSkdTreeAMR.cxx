@@ -389,7 +389,7 @@ int vtkSkdTreeAMR::FillInputPortInformation(int port, vtkInformation* info)
   this->Superclass::FillInputPortInformation(port, info);
   if (port == 1)
   {
-    SkdAccept(info, { "vtkImageData", "vtkRectilinearGrid" });
+    SkdAccept(info, { "vtkImageData", "vtkRectilinearGrid", "vtkDataObject" });
   }
   return 1;
 }

@@ -14,6 +14,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkFieldData.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 
@@ -177,7 +178,7 @@ std::string Leaves::Tell() const
                              : " is of type ")
        << this->Other->GetClassName()
        << (this->IsComposite ? "" : ", which is neither a mesh nor composite data");
-  const bool isTree = this->Other->GetDataObjectType() == VTK_HYPER_TREE_GRID;
+  const bool isTree = vtkHyperTreeGrid::SafeDownCast(this->Other) != nullptr;
   text << (isTree ? ": convert it by vtkHyperTreeGridToUnstructuredGrid." : ".");
   return text.str();
 }

@@ -12,6 +12,7 @@
 #include "vtkHyperTreeGrid.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkSkdTreeAMR.h"
 #include "vtkSkdTreeClosestPoint.h"
 #include "vtkSkdTreeCompareSurfaces.h"
 #include "vtkSkdTreeCurveSurfaceIntersection.h"
@@ -21,6 +22,7 @@
 #include "vtkSkdTreeRays.h"
 #include "vtkSkdTreeRemap.h"
 #include "vtkTable.h"
+#include "vtkUniformHyperTreeGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -91,8 +93,9 @@ void ExpectOneError(vtkAlgorithm* filter, const std::string& name)
 TEST_P(InputsOfOtherTypes, AreOneError)
 {
   const vtkNew<vtkHyperTreeGrid> trees;
+  const vtkNew<vtkUniformHyperTreeGrid> uniform;
   const vtkNew<vtkTable> table;
-  for (vtkDataObject* other : std::vector<vtkDataObject*>{ trees, table })
+  for (vtkDataObject* other : std::vector<vtkDataObject*>{ trees, uniform, table })
   {
     ExpectOneError(this->Setup.Make(other), other->GetClassName());
   }
@@ -101,14 +104,14 @@ TEST_P(InputsOfOtherTypes, AreOneError)
 TEST_P(InputsOfOtherTypes, AreOneErrorAsAllBlocks)
 {
   const vtkNew<vtkTable> table;
-  const vtkNew<vtkHyperTreeGrid> trees;
+  const vtkNew<vtkUniformHyperTreeGrid> trees;
   const auto blocks = MakeBlocks({ nullptr, MakeBlocks({ table, trees }) });
   const vtkNew<vtkPartitionedDataSet> partitions;
   partitions->SetPartition(0, trees);
   const vtkNew<vtkPartitionedDataSetCollection> collection;
   collection->SetPartition(1, 0, table);
   ExpectOneError(this->Setup.Make(blocks), "vtkTable");
-  ExpectOneError(this->Setup.Make(partitions), "vtkHyperTreeGrid");
+  ExpectOneError(this->Setup.Make(partitions), "vtkUniformHyperTreeGrid");
   ExpectOneError(this->Setup.Make(collection), "vtkTable");
 }
 
@@ -129,6 +132,20 @@ TEST_P(InputsOfOtherTypes, AreNoErrorWhereThereAreNoBlocks)
     filter->Update();
     EXPECT_EQ(events.Error.find("Input port"), std::string::npos) << events.Error;
   }
+}
+
+TEST(InputsOfOtherTypesOfAMR, AreOneErrorAsBaseMesh)
+{
+  const auto mesh = MakePolyData(SphereTriangles(4));
+  const vtkNew<vtkTable> table;
+  vtkNew<vtkSkdTreeAMR> filter;
+  filter->SetInputDataObject(0, mesh);
+  filter->SetBaseMeshData(table);
+  ExpectOneError(filter, "vtkTable");
+  filter->SetBaseMeshData(mesh);
+  ExpectOneError(filter, "BaseMesh must be an image or rectilinear grid");
+  filter->SetBaseMeshData(MakeBlocks({ mesh }));
+  ExpectOneError(filter, "BaseMesh must be an image or rectilinear grid");
 }
 
 }
