@@ -3,6 +3,7 @@
 #include "Pipeline/SkdUnusablePoints.h"
 
 #include "Cells/Read/SkdMagnitudes.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkImageData.h"
 #include "vtkPointSet.h"
@@ -146,12 +147,9 @@ SkdUnusablePoints Find(vtkImageData* image, double largest)
   }
   return found;
 }
-}
 
-//------------------------------------------------------------------------------
-SkdUnusablePoints SkdFindUnusablePoints(vtkDataSet* mesh, bool anyMagnitude)
+SkdUnusablePoints FindAll(vtkDataSet* mesh, double largest)
 {
-  const double largest = anyMagnitude ? std::numeric_limits<double>::max() : SkdComparable.Largest;
   auto* set = vtkPointSet::SafeDownCast(mesh);
   if (set && set->GetPoints())
   {
@@ -167,6 +165,31 @@ SkdUnusablePoints SkdFindUnusablePoints(vtkDataSet* mesh, bool anyMagnitude)
   }
   auto* grid = vtkRectilinearGrid::SafeDownCast(mesh);
   return grid ? Find(grid, largest) : SkdUnusablePoints();
+}
+
+SkdUnusablePoints FindShown(vtkDataSet* mesh, double largest)
+{
+  const std::vector<unsigned char> shown = SkdFindShown(mesh, vtkDataObject::POINT);
+  SkdUnusablePoints found;
+  for (std::size_t i = 0; i < shown.size(); ++i)
+  {
+    const auto point = static_cast<vtkIdType>(i);
+    if (shown[i] != 0 && !IsUsable(mesh, point, largest))
+    {
+      Add({ 1, point }, found);
+    }
+  }
+  return found;
+}
+}
+
+//------------------------------------------------------------------------------
+SkdUnusablePoints SkdFindUnusablePoints(vtkDataSet* mesh, bool anyMagnitude)
+{
+  const double largest = anyMagnitude ? std::numeric_limits<double>::max() : SkdComparable.Largest;
+  const SkdUnusablePoints all = FindAll(mesh, largest);
+  const bool mayBeHidden = mesh->GetCellGhostArray() || mesh->GetPointGhostArray();
+  return all.Count > 0 && mayBeHidden ? FindShown(mesh, largest) : all;
 }
 
 //------------------------------------------------------------------------------

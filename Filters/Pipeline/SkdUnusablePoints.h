@@ -13,7 +13,8 @@ namespace skdtree
 {
 /// The points of a data set that a filter cannot use: NaN, infinite or, in most filters, so large
 /// that squares of coordinates overflow (Cells/Read/SkdMagnitudes.h). Cells that have them are
-/// ignored, and nothing is found at such points.
+/// ignored, and nothing is found at such points. None of them are hidden points, and those that
+/// only hidden cells use: nobody expects an answer there.
 struct SkdUnusablePoints
 {
   vtkIdType Count = 0;
@@ -24,7 +25,7 @@ struct SkdUnusablePoints
 };
 
 /// Looks at each coordinate once, in parallel; of images at the corners, if these can be used.
-/// `anyMagnitude`: all finite ones can be used.
+/// `anyMagnitude`: all finite ones can be used. No cell of the mesh may be broken.
 SkdUnusablePoints SkdFindUnusablePoints(vtkDataSet* mesh, bool anyMagnitude);
 }
 

@@ -77,7 +77,7 @@ public:
         const SkdFittingMesh fitting = SkdLeaveOutUnfitArrays(block.Mesh);
         arrays = fitting.Fault;
         repaired = SkdRepair(fitting.Mesh);
-        points = SkdFindUnusablePoints(block.Mesh, false);
+        points = SkdFindUnusablePoints(repaired.Mesh, false);
         if (repaired.Mesh == block.Mesh && points.Count == 0)
         {
           wholeMeshes.Add(block.Mesh);
@@ -85,7 +85,7 @@ public:
       }
       if (anyMagnitude && points.Count > 0)
       {
-        points = SkdFindUnusablePoints(block.Mesh, true);
+        points = SkdFindUnusablePoints(repaired.Mesh, true);
       }
       this->Changed = this->Changed || repaired.Mesh != block.Mesh;
       this->NumberOfPoints += points.Count;

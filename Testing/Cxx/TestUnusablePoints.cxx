@@ -120,6 +120,55 @@ TEST_P(UnusablePoints, AreNamedOnceAndCounted)
   }
 }
 
+TEST(UnusablePointsOf, HiddenCellsAreNotNamed)
+{
+  QuietWindow quiet;
+  for (const Kind kind : { Kind::Surface, Kind::Volume })
+  {
+    const DataSetPointer mesh = MakeMesh(kind, std::nan(""));
+    Ids hidden;
+    vtkIdType shown = -1; // of the cells that have point 9, one
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      mesh->GetCellPoints(cell, ids);
+      if (ids->IsId(5) >= 0 || ids->IsId(9) >= 0)
+      {
+        hidden.push_back(cell);
+        shown = ids->IsId(5) < 0 ? cell : shown;
+      }
+    }
+    MarkGhosts(mesh, hidden, vtkDataSetAttributes::HIDDENCELL);
+    FilterPointer filter = MakeFilter(mesh, MakePolyData(SphereTriangles(3)));
+    PointsCounter counter(filter);
+    filter->Update();
+    EXPECT_EQ(counter.Messages, 0) << counter.Last;
+    vtkFieldData* reports = filter->GetOutputDataObject(0)->GetFieldData();
+    EXPECT_FALSE(reports->HasArray("SkdReportPointsNotFinite"));
+    ASSERT_GE(shown, 0);
+    mesh->GetCellGhostArray()->SetValue(shown, 0);
+    mesh->Modified();
+    filter->Update();
+    EXPECT_NE(counter.Last.find("1 of "), std::string::npos) << counter.Last;
+    EXPECT_NE(counter.Last.find("the first is point 9"), std::string::npos) << counter.Last;
+  }
+}
+
+TEST(UnusablePointsOf, HiddenPointsAreNotNamed)
+{
+  QuietWindow quiet;
+  const auto grid = MakeStructured(3);
+  grid->GetPoints()->SetPoint(21, std::nan(""), 0, 0);
+  FilterPointer filter = MakeFilter(grid, MakePolyData(SphereTriangles(3)));
+  PointsCounter counter(filter);
+  filter->Update();
+  EXPECT_EQ(counter.Messages, 1);
+  grid->BlankPoint(21);
+  grid->Modified();
+  filter->Update();
+  EXPECT_EQ(counter.Messages, 1);
+}
+
 TEST(UnusablePointsOf, RectilinearGridsAreThoseOfWholePlanes)
 {
   QuietWindow quiet;
