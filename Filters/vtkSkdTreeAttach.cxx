@@ -3,10 +3,12 @@
 #include "vtkSkdTreeAttach.h"
 
 #include "Cells/Read/SkdMeshSnapshot.h"
+#include "Exchange/SkdSharedMessages.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdSourceTrees.h"
 #include "Pipeline/SkdValidInput.h"
 #include "vtkObjectFactory.h"
@@ -46,9 +48,18 @@ int vtkSkdTreeAttach::GetTreesBuilt() const
 vtkTypeBool vtkSkdTreeAttach::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return SkdProcessValid(this, request, inputVector, outputVector, nullptr,
-    [&](vtkInformationVector** valid)
-    { return this->Superclass::ProcessRequest(request, valid, outputVector); });
+  const auto process = [&](vtkInformationVector** inputs)
+  { return this->Superclass::ProcessRequest(request, inputs, outputVector); };
+  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return process(inputVector);
+  }
+  SkdSharedMessages messages(this, outputVector);
+  vtkMultiProcessController* controller = SkdControllerOf(outputVector->GetInformationObject(0));
+  const auto result =
+    SkdProcessValid(this, request, inputVector, outputVector, controller, process);
+  messages.SayOnce(true);
+  return result;
 }
 
 int vtkSkdTreeAttach::FillInputPortInformation(int, vtkInformation* info)

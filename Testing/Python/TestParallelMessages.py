@@ -11,12 +11,14 @@ import sys
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import (VTK_TRIANGLE, vtkDataObject, vtkMultiBlockDataSet,
+    vtkPolyData, vtkTable, vtkUnstructuredGrid)
 
 import skdpieces
 import skdtesting
 
 PROCESSES = 3
+WITH_BLOCK = 1  # the process that has one where others may have none
 LIKE = r" \(So it is on process 0; processes 1 and 2 have the like\.\)"
 
 
@@ -38,6 +40,15 @@ def with_broken_cells():
     for _ in range(rank + 1):
         grid.InsertNextCell(VTK_TRIANGLE, 3, (0, 1, 10**6))
     return grid
+
+
+def blocks_here(*, here, elsewhere):
+    """Composite data of such a block on one process, and of another, or none, on the others."""
+    rank, _ = skdpieces.process()
+    blocks = vtkMultiBlockDataSet()
+    blocks.SetNumberOfBlocks(1)
+    blocks.SetBlock(0, here if rank == WITH_BLOCK else elsewhere)
+    return given(blocks)
 
 
 def with_vectors(partition):
@@ -91,6 +102,12 @@ def warned():
     for partition in ("one process", "everywhere"):
         yield None, simple.SkdTreeSurfaceIntersection(
             Input=skdpieces.source("tiles", partition), Source=ball)
+    yield r"broken.*" + LIKE, simple.SkdTreeAttach(Input=given(with_broken_cells()))
+    part = skdpieces.piece(skdpieces.sphere(), "cuts")
+    for blocks in (blocks_here(here=part, elsewhere=None), blocks_here(here=part, elsewhere=vtkTable())):
+        yield None, simple.SkdTreeAttach(Input=blocks)
+        yield None, simple.SkdTreeClosestPoint(Input=blocks, Source=ball)
+        yield None, simple.SkdTreeClosestPoint(Input=image, Source=blocks)
     yield "There is no surface to project", simple.SkdTreeMeshRefinement(
         Input=ball, MinimumLevel=1, PointPlacement="Surface", Surface=nothing)
     yield "base mesh is not refined", simple.SkdTreeAMR(
@@ -110,6 +127,12 @@ def faulty():
         yield "Vectors", simple.SkdTreeRays(Input=given(with_vectors("cuts")), Source=ball,
             Start="Cell Centers", Along="Array", DirectionArray="Vectors", **asked)
     yield "Source is not set", simple.SkdTreeProbe(Input=ball)
+    yield "neither a mesh nor composite data", simple.SkdTreeAttach(Input=given(vtkTable()))
+    for others in (None, vtkTable()):
+        blocks = blocks_here(here=vtkTable(), elsewhere=others)
+        yield "has no mesh among its blocks", simple.SkdTreeAttach(Input=blocks)
+        yield "has no mesh among its blocks", simple.SkdTreeClosestPoint(Input=blocks, Source=ball)
+        yield "has no mesh among its blocks", simple.SkdTreeProbe(Input=image, Source=blocks)
 
 
 def one_of_them():
@@ -119,7 +142,8 @@ def one_of_them():
             proxy.UpdatePipeline()
             output = proxy.GetClientSideObject().GetOutputDataObject(0)
             if kind == "error" and skdpieces.process()[0] + 1 < PROCESSES:
-                assert output.GetNumberOfCells() == 0, f"there is an answer of error {number}"
+                cells = output.GetNumberOfElements(vtkDataObject.CELL)
+                assert cells == 0, f"there is an answer of error {number}"
     announce("end")
 
 
