@@ -440,23 +440,6 @@ OuterSurface FacetedSurfaceOf(vtkPointSet* mesh, double chordalLength)
   return builder.Take();
 }
 
-/// Of the shown points whose coordinates are finite.
-skd::Box3 FiniteBounds(vtkDataSet* mesh)
-{
-  const std::vector<unsigned char> shown = SkdFindShown(mesh, vtkDataObject::POINT);
-  skd::Box3 box;
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    skd::Vector3 x;
-    mesh->GetPoint(i, x.X);
-    if (shown[static_cast<std::size_t>(i)] != 0 && skd::IsFinite(x))
-    {
-      box.Add(x);
-    }
-  }
-  return box;
-}
-
 OuterSurface SurfaceOf(vtkDataSet* mesh, double chordalLength)
 {
   if (auto* surface = vtkPolyData::SafeDownCast(mesh))
@@ -482,7 +465,7 @@ double SkdChordalLength(
   skd::Box3 box;
   for (const SkdBlock& block : blocks)
   {
-    box.Add(FiniteBounds(block.Mesh));
+    box.Add(SkdShownBounds(block.Mesh));
   }
   if (processes)
   {

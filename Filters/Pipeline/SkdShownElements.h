@@ -10,6 +10,7 @@
 #define SkdShownElements_h
 
 #include "Cells/Read/SkdCellReader.h"
+#include "Core/Geometry/Box.h"
 #include "Pipeline/SkdBlocks.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
@@ -83,6 +84,33 @@ inline std::vector<unsigned char> SkdFindShown(vtkDataSet* mesh, int type)
     shown[i] = !isMarked && (shown[i] | isOfShown[i]) != 0 ? 1 : 0;
   }
   return shown;
+}
+
+/// The box of the shown points whose coordinates are finite.
+inline skd::Box3 SkdShownBounds(vtkDataSet* mesh)
+{
+  if (!mesh->GetPointGhostArray() && !mesh->GetCellGhostArray())
+  {
+    double all[6];
+    mesh->GetBounds(all);
+    const skd::Box3 known({ { all[0], all[2], all[4] } }, { { all[1], all[3], all[5] } });
+    if (skd::IsFinite(known.Min) && skd::IsFinite(known.Max))
+    {
+      return known.IsEmpty() ? skd::Box3() : known;
+    }
+  }
+  const std::vector<unsigned char> shown = SkdFindShown(mesh, vtkDataObject::POINT);
+  skd::Box3 box;
+  for (std::size_t i = 0; i < shown.size(); ++i)
+  {
+    skd::Vector3 x;
+    mesh->GetPoint(static_cast<vtkIdType>(i), x.X);
+    if (shown[i] != 0 && skd::IsFinite(x))
+    {
+      box.Add(x);
+    }
+  }
+  return box;
 }
 
 /// 1 for each cell that is shown and not another piece's.

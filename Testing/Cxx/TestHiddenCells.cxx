@@ -13,6 +13,7 @@
 #include "Support/SurfaceMeshes.h"
 
 #include "vtkAppendFilter.h"
+#include "vtkSkdTreeBooleanOperation.h"
 #include "vtkSkdTreeCellLocator.h"
 #include "vtkSkdTreeClosestPoint.h"
 #include "vtkSkdTreeCompareSurfaces.h"
@@ -512,6 +513,39 @@ TEST(HiddenCells, HaveNoPartInTheSizeOfAMesh)
   }
   EXPECT_GT(lengths[0], 0.0);
   EXPECT_EQ(lengths[0], lengths[1]);
+}
+
+// Hits nearer than a share of the size of the source are left out, and a plane has room for what it
+// cuts.
+TEST(HiddenCells, FarAwayHaveNoPartInRaysAndCutsByAPlane)
+{
+  Mesh mesh = BallTriangles();
+  const GridPointer alone = MakeGrid(mesh);
+  const auto hidden = static_cast<vtkIdType>(mesh.Cells.size());
+  const vtkIdType far = mesh.Add({ 1e30, -1e30, 1e30 });
+  mesh.Add(VTK_TRIANGLE, { 0, far, mesh.Add({ -1e30, 1e30, 1e30 }) });
+  const GridPointer marked = MakeGrid(mesh);
+  MarkGhosts(marked, { hidden }, vtkDataSetAttributes::HIDDENCELL);
+  std::vector<double> found;
+  for (const GridPointer& grid : { alone, marked })
+  {
+    const auto rays = MakeOf<vtkSkdTreeRays>(MakeQueries({ { 1.2, 1.1, 1.3 } }), grid);
+    rays->SetAlongToDirection();
+    rays->SetDirection(0.5, 0.6, 0.7);
+    rays->Update();
+    found.push_back(Reported(rays, "Hits"));
+    const auto cut = MakeOf<vtkSkdTreeBooleanOperation>(grid, nullptr);
+    cut->SetOperation(vtkSkdTreeBooleanOperation::DIFFERENCE);
+    cut->CutByPlaneOn();
+    cut->SetPlaneOrigin(1.2, 1.1, 1.3);
+    cut->SetPlaneNormal(1.0, 0.2, 0.1);
+    cut->Update();
+    found.push_back(Reported(cut, "Volume"));
+  }
+  EXPECT_GT(found[0], 0.0);
+  EXPECT_GT(found[1], 0.0);
+  EXPECT_EQ(found[0], found[2]);
+  EXPECT_NEAR(found[1], found[3], 1e-9 * found[1]);
 }
 
 TEST(HiddenCells, AreNamedWhereNothingElseIsThere)

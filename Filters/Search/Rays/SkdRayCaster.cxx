@@ -3,7 +3,7 @@
 #include "Search/Rays/SkdRayCaster.h"
 
 #include "Cells/Read/SkdForEach.h"
-#include "vtkBoundingBox.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -32,27 +32,18 @@ bool IsBefore(const SkdRayHit& a, const SkdRayHit& b)
 double SkdRayTolerance(
   double relative, const std::vector<SkdBlock>& source, const std::vector<SkdBlock>& input)
 {
-  vtkBoundingBox box;
+  skd::Box3 box;
   double largest = 0.0;
   for (const std::vector<SkdBlock>* blocks : { &source, &input })
   {
     for (const SkdBlock& block : *blocks)
     {
-      double bounds[6];
-      block.Mesh->GetBounds(bounds);
-      if (bounds[0] <= bounds[1] && blocks == &source)
-      {
-        box.AddBounds(bounds);
-      }
-      for (const double bound : bounds)
-      {
-        largest = std::isfinite(bound) && bounds[0] <= bounds[1]
-          ? std::max(largest, std::abs(bound))
-          : largest;
-      }
+      const skd::Box3 bounds = SkdShownBounds(block.Mesh);
+      largest = std::max(largest, skd::LargestCoordinate(bounds));
+      box.Add(blocks == &source ? bounds : skd::Box3());
     }
   }
-  const double diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
+  const double diagonal = box.IsEmpty() ? 0.0 : box.Diagonal();
   const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * largest;
   return std::isfinite(diagonal) ? std::max(relative * diagonal, rounding) : rounding;
 }

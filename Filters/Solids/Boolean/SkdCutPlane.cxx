@@ -3,6 +3,7 @@
 #include "Solids/Boolean/SkdCutPlane.h"
 
 #include "Core/Geometry/Box.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
 
@@ -13,29 +14,13 @@ namespace skdtree
 {
 namespace
 {
-/// Of points that are finite; empty if there are none.
+/// Of shown points that are finite; empty if there are none.
 skd::Box3 BoundsOf(const std::vector<SkdBlock>& blocks)
 {
   skd::Box3 bounds;
   for (const SkdBlock& block : blocks)
   {
-    double of[6];
-    block.Mesh->GetBounds(of);
-    const skd::Box3 box({ { of[0], of[2], of[4] } }, { { of[1], of[3], of[5] } });
-    const bool areFinite = skd::IsFinite(box.Min) && skd::IsFinite(box.Max);
-    if (areFinite && !box.IsEmpty())
-    {
-      bounds.Add(box);
-    }
-    for (vtkIdType i = 0; !areFinite && i < block.Mesh->GetNumberOfPoints(); ++i)
-    {
-      skd::Vector3 x;
-      block.Mesh->GetPoint(i, x.X);
-      if (skd::IsFinite(x))
-      {
-        bounds.Add(x);
-      }
-    }
+    bounds.Add(SkdShownBounds(block.Mesh));
   }
   return bounds;
 }
