@@ -10,6 +10,7 @@
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdShownElements.h"
 #include "Search/Closest/SkdClosestArrays.h"
 #include "Search/Closest/SkdRemoteClosest.h"
 #include "vtkInformation.h"
@@ -164,12 +165,15 @@ void WarnAbout(vtkSkdTreeClosestPoint* self, const SourceFacts& source)
 void Report(vtkDataObject* output, const Found& search)
 {
   const SourceFacts& source = search.Source;
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(output);
   vtkIdType numberOfQueries = 0;
   vtkIdType found = 0;
-  for (const SkdClosestArrays& answer : search.Closest.Answers)
+  for (std::size_t block = 0; block < blocks.size(); ++block)
   {
-    numberOfQueries += answer.GetNumberOfPoints();
-    found += answer.CountFound();
+    const std::vector<unsigned char> shown = SkdFindShown(blocks[block].Mesh, vtkDataObject::POINT);
+    const SkdClosestArrays& answers = search.Closest.Answers[block];
+    numberOfQueries += SkdCountShown(shown);
+    found += SkdCountShown(shown, [&answers](vtkIdType i) { return answers.GetBlock(i) >= 0; });
   }
   SkdReport report(output);
   report.AddCount("Points", numberOfQueries);

@@ -418,8 +418,9 @@ void vtkSkdTreePointInOut::FillOutputs(const PartFacts& facts, const std::vector
   {
     answers[i].AddTo(meshes[i].Mesh->GetAttributes(to));
     this->ExtractFrom(meshes[i].Mesh, answers[i], outputVector);
-    points += answers[i].GetNumber();
-    inside += answers[i].CountInside();
+    const std::vector<unsigned char> shown = SkdFindShown(meshes[i].Mesh, to);
+    points += SkdCountShown(shown);
+    inside += SkdCountShown(shown, [&](vtkIdType element) { return answers[i].IsInside(element); });
   }
   SkdReport report(vtkDataObject::GetData(outputVector, 0));
   report.AddCount("Points", points);

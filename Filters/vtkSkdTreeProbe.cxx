@@ -8,6 +8,7 @@
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSearchRange.h"
+#include "Pipeline/SkdShownElements.h"
 #include "Search/Probe/SkdCellFinder.h"
 #include "Search/Probe/SkdCellLocations.h"
 #include "Search/Probe/SkdLineProbe.h"
@@ -71,12 +72,15 @@ void ClearNames(vtkObject* self, std::set<std::string>& names)
 void Report(vtkDataObject* output, const SkdTreeCounts& counts, int built,
   const std::vector<SkdCellLocations>& locations, double buildSeconds, double querySeconds)
 {
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(output);
   vtkIdType numberOfQueries = 0, found = 0, outside = 0;
-  for (const SkdCellLocations& some : locations)
+  for (std::size_t block = 0; block < blocks.size(); ++block)
   {
-    numberOfQueries += some.GetNumberOfPoints();
-    found += some.CountValid();
-    outside += some.CountOutside();
+    const std::vector<unsigned char> shown = SkdFindShown(blocks[block].Mesh, vtkDataObject::POINT);
+    const SkdCellLocations& some = locations[block];
+    numberOfQueries += SkdCountShown(shown);
+    found += SkdCountShown(shown, [&some](vtkIdType i) { return some.IsValid(i); });
+    outside += SkdCountShown(shown, [&some](vtkIdType i) { return some.IsOutside(i); });
   }
   SkdReport report(output);
   report.AddCount("Points", numberOfQueries);

@@ -81,7 +81,7 @@ void Cast(vtkSkdTreeRays* self, const SkdRayTarget& target, const SkdRayLimits& 
   double progress, bool isWhole, std::vector<SkdCastRays>& rays)
 {
   const SkdRayCaster caster(target.Trees, static_cast<int>(target.Blocks.size()), limits);
-  SkdLoop loop(self, SkdCountStarts(rays), progress, 0.8, 32768);
+  SkdLoop loop(self, SkdCountStarts(rays, true), progress, 0.8, 32768);
   for (SkdCastRays& cast : rays)
   {
     if (!isWhole)
@@ -127,7 +127,7 @@ void InterpolateSource(vtkSkdTreeRays* self, const std::vector<SkdBlock>& blocks
 {
   const auto meshOf = [&](int block) { return target.Trees.GetMesh(block); };
   std::set<std::string> refused;
-  SkdLoop loop(self, SkdCountStarts(rays), 0.8, 1.0);
+  SkdLoop loop(self, SkdCountStarts(rays, true), 0.8, 1.0);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     const SkdCastRays& cast = rays[i];
@@ -159,7 +159,7 @@ void Report(
     }
   }
   SkdReport report(output);
-  report.AddCount("Rays", SkdCountStarts(rays));
+  report.AddCount("Rays", SkdCountStarts(rays, false));
   report.AddCount("RaysWithHits", withHits);
   report.AddCount("Hits", hits);
   report.AddCount("SourceCells", counts.Cells);
@@ -253,7 +253,7 @@ int vtkSkdTreeRays::RequestData(
   bool isWhole = true;
   if (spread)
   {
-    SkdLoop loop(this, SkdCountStarts(rays), 0.2, 0.5, 32768);
+    SkdLoop loop(this, SkdCountStarts(rays, true), 0.2, 0.5, 32768);
     const SkdHitCells hits =
       SkdFindHitCells(this, rays, trees, *spread, limits, this->Hits != FIRST_HIT, loop);
     report.AddCount("RaysSent", static_cast<vtkIdType>(hits.RaysSent));

@@ -137,11 +137,12 @@ void AddArrays(vtkDataSetAttributes* data, const std::vector<SkdThickness>& answ
   data->SetActiveScalars("SkdThickness");
 }
 
-/// How many starting points there are, how many on the surface, how many of these have no ray, and
-/// how many of the others a thickness.
+/// How many starting points there are, how many are hidden, how many of the others on the surface,
+/// how many of these have no ray, and how many of the others a thickness.
 struct Numbers
 {
   vtkIdType Samples = 0;
+  vtkIdType Hidden = 0;
   vtkIdType Requested = 0;
   vtkIdType WithoutRay = 0;
   vtkIdType Found = 0;
@@ -153,6 +154,7 @@ Numbers CountStarts(const std::vector<SkdRayStarts>& starts)
   for (const SkdRayStarts& start : starts)
   {
     numbers.Samples += start.GetNumber();
+    numbers.Hidden += start.CountHidden();
     numbers.Requested += start.GetNumber() - start.Inner - start.CountHidden();
     numbers.WithoutRay += start.CountWithoutRay();
   }
@@ -337,7 +339,7 @@ int vtkSkdTreeWallThickness::RequestData(
     const auto at = IsAtPoints(this) ? vtkDataObject::POINT : vtkDataObject::CELL;
     AddArrays(blocks[i].Mesh->GetAttributes(at), answers, source, cellOf, SkdIsComposite(against));
   }
-  report.AddCount("Points", numbers.Samples);
+  report.AddCount("Points", numbers.Samples - numbers.Hidden);
   report.AddCount("PointsFound", numbers.Found);
   WarnAbout(this, starts, numbers);
   report.AddMeasure("Epsilon", counts.Tolerance);

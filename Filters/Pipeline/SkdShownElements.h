@@ -113,6 +113,24 @@ inline skd::Box3 SkdShownBounds(vtkDataSet* mesh)
   return box;
 }
 
+/// How many elements of a mesh are shown, and of which isOne(i) is true.
+template <class IsOne>
+vtkIdType SkdCountShown(const std::vector<unsigned char>& shown, const IsOne& isOne)
+{
+  vtkIdType count = 0;
+  for (std::size_t i = 0; i < shown.size(); ++i)
+  {
+    count += shown[i] != 0 && isOne(static_cast<vtkIdType>(i)) ? 1 : 0;
+  }
+  return count;
+}
+
+/// How many are shown.
+inline vtkIdType SkdCountShown(const std::vector<unsigned char>& shown)
+{
+  return std::count(shown.begin(), shown.end(), 1);
+}
+
 /// 1 for each cell that is shown and not another piece's.
 inline std::vector<unsigned char> SkdFindCounted(vtkDataSet* mesh)
 {

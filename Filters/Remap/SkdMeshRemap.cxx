@@ -6,6 +6,7 @@
 #include "Pipeline/SkdJoinedShape.h"
 #include "Pipeline/SkdPartialArrays.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdShownElements.h"
 #include "Remap/SkdOverlapMesh.h"
 #include "Remap/SkdOverlapSurface.h"
 
@@ -338,7 +339,7 @@ void SkdMeshRemap::AddReport(double seconds, vtkDataObject* output) const
   const SkdRemapFindings& found = this->Remapper.GetFindings();
   SkdReport report(output);
   SkdReportPartialArrays(this->Pair->GetPartialArrays(), output);
-  report.AddCount("SourceCells", this->Pair->GetDonor()->GetNumberOfCells());
+  report.AddCount("SourceCells", SkdCountShown(SkdFindCounted(this->Pair->GetDonor())));
   report.AddCount("InputCells", this->Pair->GetNumberOfTargetCells());
   report.AddCount("InputCellsEmpty", found.EmptyCells);
   report.AddCount("InputCellsPartlyCovered", found.PartlyCovered);

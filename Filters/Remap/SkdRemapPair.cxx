@@ -5,6 +5,7 @@
 #include "Pipeline/SkdJoinedShape.h"
 #include "Pipeline/SkdLonLat.h"
 #include "Pipeline/SkdPartialArrays.h"
+#include "Pipeline/SkdShownElements.h"
 #include "Remap/SkdOverlapSurface.h"
 #include "Remap/SkdRemapTolerances.h"
 
@@ -233,7 +234,7 @@ vtkIdType SkdRemapPair::GetNumberOfTargetCells() const
   vtkIdType cells = 0;
   for (const SkdBlock& block : this->Outputs)
   {
-    cells += block.Mesh->GetNumberOfCells();
+    cells += SkdCountShown(SkdFindShown(block.Mesh, vtkDataObject::CELL));
   }
   return cells;
 }

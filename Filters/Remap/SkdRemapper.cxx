@@ -6,6 +6,7 @@
 #include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdLonLat.h"
 #include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdShownElements.h"
 #include "Remap/SkdContainedFields.h"
 #include "Remap/SkdLumpedPoints.h"
 #include "Remap/SkdMeshPoints.h"
@@ -168,12 +169,13 @@ void SkdRemapper::AddCounts(vtkDataSet* block, const std::vector<vtkIdType>& cou
   const auto n = static_cast<vtkIdType>(counts.size());
   const auto array = SkdMakeArray<vtkIdTypeArray>(SkdRemapNames::Count, 1, n);
   const auto valid = SkdMakeArray<vtkUnsignedCharArray>(SkdRemapNames::Valid, 1, n);
+  const std::vector<unsigned char> shown = SkdFindShown(block, vtkDataObject::CELL);
   for (vtkIdType i = 0; i < n; ++i)
   {
     const vtkIdType count = counts[static_cast<std::size_t>(i)];
     array->SetValue(i, count);
     valid->SetValue(i, count > 0 ? 1 : 0);
-    this->Findings.EmptyCells += count > 0 ? 0 : 1;
+    this->Findings.EmptyCells += count > 0 || shown[static_cast<std::size_t>(i)] == 0 ? 0 : 1;
   }
   this->Findings.Cells += n;
   block->GetCellData()->AddArray(array);
@@ -269,6 +271,7 @@ void SkdRemapper::AddCoverage(vtkDataSet* block, const SkdOverlapWeights& weight
   const std::vector<double> shares = SharesOf(cells);
   const std::vector<double> fractions = this->FractionsOf(weights);
   const std::vector<double>& counting = this->CellFields.empty() ? shares : fractions;
+  const std::vector<unsigned char> shown = SkdFindShown(block, vtkDataObject::CELL);
   for (vtkIdType i = 0; i < n; ++i)
   {
     const double share = shares[static_cast<std::size_t>(i)];
@@ -276,7 +279,7 @@ void SkdRemapper::AddCoverage(vtkDataSet* block, const SkdOverlapWeights& weight
     const double answered = counting[static_cast<std::size_t>(i)];
     const bool isValid = answered > 0.0 && answered >= this->Settings.Conservative.MinimumCoverage;
     valid->SetValue(i, isValid ? 1 : 0);
-    this->Findings.EmptyCells += isValid ? 0 : 1;
+    this->Findings.EmptyCells += isValid || shown[static_cast<std::size_t>(i)] == 0 ? 0 : 1;
     this->Findings.PartlyCovered += isValid && share < 1.0 - remap_tolerances::Coverage ? 1 : 0;
     const bool isCell = cells.Measures[static_cast<std::size_t>(i)] > 0.0;
     this->Findings.WithoutPartner +=
@@ -542,9 +545,10 @@ void SkdRemapper::AddValid(
     const auto valid = SkdMakeArray<vtkUnsignedCharArray>(SkdRemapNames::Valid, 1, n);
     std::copy(first, first + n, valid->GetPointer(0));
     block.Mesh->GetAttributes(type)->AddArray(valid);
+    this->Findings.EmptyCells += SkdCountShown(
+      SkdFindShown(block.Mesh, type), [&](vtkIdType i) { return valid->GetValue(i) == 0; });
     first += n;
   }
-  this->Findings.EmptyCells += std::count(isMapped.begin(), isMapped.end(), 0);
 }
 
 void SkdRemapper::MapByFile(

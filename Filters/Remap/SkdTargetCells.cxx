@@ -60,13 +60,20 @@ SkdTargetCells::SkdTargetCells(vtkDataSet* mesh, bool isOnSphere, double toleran
   }
 }
 
+bool SkdTargetCells::IsOurs(vtkIdType id) const
+{
+  constexpr int notOurs = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL |
+    vtkDataSetAttributes::HIDDENCELL;
+  return !this->Ghosts || (this->Ghosts->GetValue(id) & notOurs) == 0;
+}
+
 vtkIdType SkdTargetCells::CountUnfit() const
 {
   vtkIdType count = 0;
   for (vtkIdType id = 0; id < this->GetNumberOfCells() && this->OnSphere; ++id)
   {
     const int type = this->Reader.TypeOf(id);
-    count += type != VTK_EMPTY_CELL && !IsFlat(type) ? 1 : 0;
+    count += type != VTK_EMPTY_CELL && !IsFlat(type) && this->IsOurs(id) ? 1 : 0;
   }
   return count;
 }
@@ -80,10 +87,8 @@ SkdTargetCells::Cell::Cell(const SkdTargetCells& cells)
 
 bool SkdTargetCells::Cell::Load(vtkIdType id)
 {
-  constexpr int notOurs = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL |
-    vtkDataSetAttributes::HIDDENCELL;
   this->Id = id;
-  if (this->Cells.Ghosts && (this->Cells.Ghosts->GetValue(id) & notOurs) != 0)
+  if (!this->Cells.IsOurs(id))
   {
     return false;
   }

@@ -73,6 +73,9 @@ public:
   };
 
 private:
+  /// Whether a cell is no ghost.
+  bool IsOurs(vtkIdType id) const;
+
   vtkDataSet* Mesh;
   bool OnSphere;
   bool LonLat;

@@ -111,7 +111,8 @@ class Part
 public:
   /// For vtkPolyData, in which all cells of an array have one type, possibly with fewer points.
   Part(vtkDataSet* data, vtkCellArray* cells, vtkIdType first, int type, bool mayBeEmpty)
-    : Cells(cells)
+    : Marks(data->GetCellGhostArray())
+    , Cells(cells)
     , NumberOfPoints(data->GetNumberOfPoints())
     , First(first)
     , CommonType(type)
@@ -135,7 +136,7 @@ public:
   /// Appends the broken ones among cells begin .. end - 1, by their ids in the data set.
   void FindBroken(vtkIdType begin, vtkIdType end, std::vector<vtkIdType>& broken) const;
 
-  /// Whether a broken cell has no type since it is hidden.
+  /// Whether a broken cell is marked as hidden, or has no type since a point hides it.
   bool IsHidden(vtkIdType id) const;
 
   /// What is wrong with a cell; empty if nothing is.
@@ -154,6 +155,7 @@ private:
   bool IsBroken(vtkIdType cell, SkdIdMarks& marks) const;
   bool HasItsPoints(vtkIdType cell, vtkIdType size) const;
 
+  vtkUnsignedCharArray* Marks;
   SkdRawCells Cells;
   vtkIdType NumberOfPoints;
   vtkIdType First;
@@ -248,13 +250,13 @@ bool Part::IsHidden(vtkIdType id) const
 {
   constexpr int hidden = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
   const vtkIdType cell = id - this->First;
+  if (HasMark(this->Marks, id, hidden))
+  {
+    return true;
+  }
   if (!this->Grid || cell >= this->NumberOfTypes || this->TypeOf(cell) != VTK_EMPTY_CELL)
   {
     return false;
-  }
-  if (HasMark(this->Grid->GetCellGhostArray(), id, hidden))
-  {
-    return true;
   }
   bool hasHiddenPoint = false;
   this->Cells.VisitCell(cell,

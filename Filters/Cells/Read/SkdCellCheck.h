@@ -23,8 +23,8 @@ struct SkdBrokenCells
 {
   std::vector<vtkIdType> Ids; ///< ascending
 
-  /// How many of them are faults and the first of these. No fault are hidden cells of blanked grids
-  /// and AMR, which VTK gives no type but all their points when it appends the grids.
+  /// How many of them are faults and the first of these. No fault are hidden cells: those of
+  /// blanked grids and AMR have no type but all their points where VTK has appended the grids.
   vtkIdType Faults = 0;
   vtkIdType FirstFault = -1;
   std::string Fault; ///< of the first, as a predicate: "has 3 points, ..."

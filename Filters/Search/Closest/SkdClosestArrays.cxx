@@ -55,12 +55,6 @@ void SkdClosestArrays::SetInside(vtkIdType i, bool isInside)
   this->Distances->SetValue(i, isInside ? -distance : distance);
 }
 
-vtkIdType SkdClosestArrays::CountFound() const
-{
-  return std::count_if(
-    this->Blocks.begin(), this->Blocks.end(), [](int block) { return block >= 0; });
-}
-
 void SkdClosestArrays::AddTo(
   vtkPointData* pointData, const std::vector<SkdBlock>& source, bool isComposite) const
 {

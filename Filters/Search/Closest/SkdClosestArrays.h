@@ -39,7 +39,6 @@ public:
   ///@}
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Blocks.size()); }
-  vtkIdType CountFound() const;
 
   /// Adds the arrays, and makes the distance the active scalars. Block indices are added if
   /// `source` is composite.

@@ -6,8 +6,6 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkMath.h"
 
-#include <algorithm>
-
 namespace skdtree
 {
 SkdInOuts::SkdInOuts(vtkIdType n, bool hasWinding)
@@ -36,12 +34,6 @@ void SkdInOuts::Set(vtkIdType i, const SkdInOut& answer)
     this->Windings->SetValue(i, answer.WindingNumber);
     this->WindingBounds->SetValue(i, answer.WindingBound);
   }
-}
-
-vtkIdType SkdInOuts::CountInside() const
-{
-  const unsigned char* first = this->Inside->GetPointer(0);
-  return std::count(first, first + this->GetNumber(), 1);
 }
 
 void SkdInOuts::AddTo(vtkDataSetAttributes* data) const

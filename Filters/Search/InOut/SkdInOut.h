@@ -38,7 +38,6 @@ public:
 
   vtkIdType GetNumber() const { return this->Inside->GetNumberOfTuples(); }
   bool IsInside(vtkIdType i) const { return this->Inside->GetValue(i) != 0; }
-  vtkIdType CountInside() const;
 
   /// Adds the arrays, and makes the first the active scalars.
   void AddTo(vtkDataSetAttributes* data) const;

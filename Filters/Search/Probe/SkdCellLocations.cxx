@@ -36,19 +36,6 @@ void SkdCellLocations::Set(vtkIdType i, const SkdCellLocation& location)
   this->Blocks[i] = location.Block;
 }
 
-vtkIdType SkdCellLocations::CountValid() const
-{
-  return std::count_if(
-    this->Blocks.begin(), this->Blocks.end(), [](int block) { return block >= 0; });
-}
-
-vtkIdType SkdCellLocations::CountOutside() const
-{
-  const double* distances = this->Distances->GetPointer(0);
-  return std::count_if(distances, distances + this->GetNumberOfPoints(),
-    [](double distance) { return distance > 0.0; });
-}
-
 void SkdCellLocations::AddTo(
   vtkDataSetAttributes* data, const std::vector<SkdBlock>& source, bool isComposite) const
 {

@@ -4,6 +4,7 @@
 #define SkdCellLocations_h
 
 #include "Search/Probe/SkdCellFinder.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -22,9 +23,10 @@ public:
   /// Sets a tuple. Thread-safe for distinct tuples.
   void Set(vtkIdType i, const SkdCellLocation& location);
 
-  vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Blocks.size()); }
-  vtkIdType CountValid() const;
-  vtkIdType CountOutside() const; // valid ones that no cell holds
+  bool IsValid(vtkIdType i) const { return this->Blocks[static_cast<std::size_t>(i)] >= 0; }
+
+  /// Whether it is valid, but no cell holds the point.
+  bool IsOutside(vtkIdType i) const { return this->Distances->GetValue(i) > 0.0; }
 
   /// Adds the arrays, with block indices if the Source is composite.
   void AddTo(

@@ -47,12 +47,12 @@ struct SkdRayTarget
 };
 
 /// The starts of all of them.
-inline vtkIdType SkdCountStarts(const std::vector<SkdCastRays>& rays)
+inline vtkIdType SkdCountStarts(const std::vector<SkdCastRays>& rays, bool withHidden)
 {
   vtkIdType count = 0;
   for (const SkdCastRays& cast : rays)
   {
-    count += cast.Starts.GetNumber();
+    count += cast.Starts.GetNumber() - (withHidden ? 0 : cast.Starts.CountHidden());
   }
   return count;
 }
