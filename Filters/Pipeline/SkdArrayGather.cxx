@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdArrayGather.h"
 
+#include "Pipeline/SkdHeldNumbers.h"
 #include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdPartialArrays.h"
@@ -13,7 +14,6 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace skdtree
@@ -32,17 +32,36 @@ bool IsAlike(vtkAbstractArray* array, vtkAbstractArray* first)
     array->IsNumeric() == first->IsNumeric();
 }
 
-/// The nearest number that an array can hold; of integers 0 for NaN.
-double HeldBy(vtkDataArray* numbers, double value)
+/// Of arrays that lie in memory as they are written, as all results of numbers do.
+template <typename Value>
+Value* TupleOf(vtkAbstractArray* array, vtkIdType tuple)
 {
-  const int type = numbers->GetDataType();
-  if (type == VTK_FLOAT || type == VTK_DOUBLE)
+  using Plain = vtkAOSDataArrayTemplate<Value>;
+  return static_cast<Plain*>(array)->GetPointer(tuple * array->GetNumberOfComponents());
+}
+
+/// Calls visit(a value of the array's type) if the array is one of numbers.
+template <class Visit>
+void VisitType(vtkAbstractArray* array, const Visit& visit)
+{
+  switch (array->GetDataType())
   {
-    return value;
+    vtkTemplateMacro(visit(VTK_TT{}));
+    default:
+      break;
   }
-  const double least = numbers->GetDataTypeMin();
-  const double most = numbers->GetDataTypeMax();
-  return std::isnan(value) ? 0.0 : std::max(least, std::min(most, std::round(value)));
+}
+
+/// Tuples of the nearest number that the array can hold; of integers 0 for NaN.
+void FillTuples(vtkAbstractArray* result, vtkIdType first, vtkIdType n, double fill)
+{
+  VisitType(result,
+    [&](auto value)
+    {
+      using Value = decltype(value);
+      std::fill_n(TupleOf<Value>(result, first), n * result->GetNumberOfComponents(),
+        SkdNearestNumber<Value>(fill));
+    });
 }
 
 vtkSmartPointer<vtkAbstractArray> MakeResult(
@@ -56,10 +75,9 @@ vtkSmartPointer<vtkAbstractArray> MakeResult(
   result->SetNumberOfComponents(like->GetNumberOfComponents());
   result->CopyComponentNames(like);
   result->SetNumberOfTuples(n);
-  vtkDataArray* const numbers = vtkDataArray::SafeDownCast(result);
-  if (numbers && fill)
+  if (fill)
   {
-    numbers->Fill(HeldBy(numbers, *fill));
+    FillTuples(result, 0, n, *fill);
   }
   return result;
 }
@@ -75,30 +93,35 @@ void TakeAny(vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, v
   result->SetTuple(to, from, source);
 }
 
-/// Of any numbers, into those of another type; before VTK 9.2 arrays themselves do not.
+bool IsOfReals(vtkAbstractArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+}
+
+/// Of any numbers, into those of this type; before VTK 9.2 arrays themselves do not, and long
+/// integers overflow.
+template <typename Value>
 void InterpolateNumbers(
   vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, vtkIdList* ids, double* weights)
 {
   auto* from = static_cast<vtkDataArray*>(source);
-  auto* into = static_cast<vtkDataArray*>(result);
+  const vtkIdType n = ids->GetNumberOfIds();
   for (int c = 0; c < from->GetNumberOfComponents(); ++c)
   {
-    double sum = 0.0;
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      sum += weights[i] * from->GetComponent(ids->GetId(i), c);
-    }
-    into->SetComponent(to, c, HeldBy(into, sum));
+    const auto realOf = [&](vtkIdType i) { return from->GetComponent(ids->GetId(i), c); };
+    const auto numberOf = [&](vtkIdType i) { return SkdNumberAt<Value>(from, ids->GetId(i), c); };
+    TupleOf<Value>(result, to)[c] = !SkdIsLong<Value> || IsOfReals(from)
+      ? SkdNearestNumber<Value>(SkdInterpolated<double>(n, weights, realOf))
+      : SkdInterpolated<Value>(n, weights, numberOf);
   }
 }
 
+template <typename Value>
 void TakeNumbers(vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, vtkIdType from)
 {
-  auto* into = static_cast<vtkDataArray*>(result);
-  for (int c = 0; c < into->GetNumberOfComponents(); ++c)
+  for (int c = 0; c < result->GetNumberOfComponents(); ++c)
   {
-    into->SetComponent(
-      to, c, HeldBy(into, static_cast<vtkDataArray*>(source)->GetComponent(from, c)));
+    TupleOf<Value>(result, to)[c] = SkdNumberAt<Value>(static_cast<vtkDataArray*>(source), from, c);
   }
 }
 
@@ -107,30 +130,23 @@ template <typename Value>
 void InterpolatePlain(
   vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, vtkIdList* ids, double* weights)
 {
-  using Plain = vtkAOSDataArrayTemplate<Value>;
   const int components = source->GetNumberOfComponents();
-  const Value* from = static_cast<Plain*>(source)->GetPointer(0);
-  Value* into = static_cast<Plain*>(result)->GetPointer(to * components);
+  const Value* from = TupleOf<Value>(source, 0);
+  Value* into = TupleOf<Value>(result, to);
   const vtkIdType n = ids->GetNumberOfIds();
   const vtkIdType* id = ids->GetPointer(0);
   for (int c = 0; c < components; ++c)
   {
-    double sum = 0.0;
-    for (vtkIdType i = 0; i < n; ++i)
-    {
-      sum += weights[i] * static_cast<double>(from[id[i] * components + c]);
-    }
-    vtkMath::RoundDoubleToIntegralIfNecessary(sum, into + c);
+    into[c] =
+      SkdInterpolated<Value>(n, weights, [&](vtkIdType i) { return from[id[i] * components + c]; });
   }
 }
 
 template <typename Value>
 void TakePlain(vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, vtkIdType from)
 {
-  using Plain = vtkAOSDataArrayTemplate<Value>;
-  const int components = source->GetNumberOfComponents();
-  const Value* first = static_cast<Plain*>(source)->GetPointer(from * components);
-  std::copy_n(first, components, static_cast<Plain*>(result)->GetPointer(to * components));
+  std::copy_n(
+    TupleOf<Value>(source, from), source->GetNumberOfComponents(), TupleOf<Value>(result, to));
 }
 
 template <typename Value>
@@ -173,30 +189,17 @@ SkdArrayGather::Array SkdArrayGather::Find(
 
 void SkdArrayGather::ChooseFunctions(Array& array)
 {
-  const bool isConverted = array.Result->IsNumeric() &&
-    std::any_of(array.Sources.begin(), array.Sources.end(),
-      [&array](vtkAbstractArray* source)
-      { return source && source->GetDataType() != array.Result->GetDataType(); });
-  array.Interpolate = isConverted ? &InterpolateNumbers : &InterpolateAny;
-  array.Take = isConverted ? &TakeNumbers : &TakeAny;
-  const auto choose = [&](auto value)
-  {
-    using Value = decltype(value);
-    const bool isPlain = IsPlain<Value>(array.Result) &&
-      std::all_of(array.Sources.begin(), array.Sources.end(),
-        [](vtkAbstractArray* source) { return !source || IsPlain<Value>(source); });
-    if (isPlain)
+  array.Interpolate = &InterpolateAny;
+  array.Take = &TakeAny;
+  VisitType(array.Result,
+    [&](auto value)
     {
-      array.Interpolate = &InterpolatePlain<Value>;
-      array.Take = &TakePlain<Value>;
-    }
-  };
-  switch (array.Result->GetDataType())
-  {
-    vtkTemplateMacro(choose(VTK_TT{}));
-    default:
-      break;
-  }
+      using Value = decltype(value);
+      const bool isPlain = std::all_of(array.Sources.begin(), array.Sources.end(),
+        [](vtkAbstractArray* source) { return !source || IsPlain<Value>(source); });
+      array.Interpolate = isPlain ? &InterpolatePlain<Value> : &InterpolateNumbers<Value>;
+      array.Take = isPlain ? &TakePlain<Value> : &TakeNumbers<Value>;
+    });
 }
 
 void SkdArrayGather::Allocate(vtkIdType n, double fill, bool isDouble)
@@ -232,11 +235,7 @@ void SkdArrayGather::Clear(vtkIdType to)
 {
   for (const Array& array : this->Arrays)
   {
-    vtkDataArray* const numbers = vtkDataArray::SafeDownCast(array.Result);
-    for (int c = 0; numbers && c < numbers->GetNumberOfComponents(); ++c)
-    {
-      numbers->SetComponent(to, c, HeldBy(numbers, vtkMath::Nan()));
-    }
+    FillTuples(array.Result, to, 1, vtkMath::Nan());
   }
 }
 
