@@ -4,10 +4,17 @@
 
 #include "Search/Compare/SkdWeightedValues.h"
 
+#include "vtkAbstractArray.h"
+#include "vtkCommunicator.h"
+#include "vtkDummyController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <random>
 #include <vector>
 
@@ -22,13 +29,62 @@ using Query = SkdWeightedValues::Query;
 constexpr long long SkdWeightedDistance::*Fine = &SkdWeightedDistance::Fine;
 constexpr long long SkdWeightedDistance::*Coarse = &SkdWeightedDistance::Coarse;
 
-std::vector<double> FindIn(const Values& values, const std::vector<Query>& queries)
+std::vector<double> FindIn(
+  const Values& values, const std::vector<Query>& queries, const SkdReduction& all = SkdReduction())
 {
-  const SkdReduction alone;
   const SkdWeightedValues found(
-    [&](const auto& visit) { std::for_each(values.begin(), values.end(), visit); }, alone);
+    [&](const auto& visit) { std::for_each(values.begin(), values.end(), visit); }, all);
   return found.Find(queries);
 }
+
+/// The first of two processes, of which the other one has nothing. Counts what they tell each
+/// other.
+class CountedExchanges : public vtkCommunicator
+{
+public:
+  static CountedExchanges* New();
+  vtkTypeMacro(CountedExchanges, vtkCommunicator);
+
+  int Number = 0;
+
+  int SendVoidArray(const void*, vtkIdType, int, int, int) override { return 0; }
+  int ReceiveVoidArray(void*, vtkIdType, int, int, int) override { return 0; }
+
+  int AllGatherVoidArray(const void* own, void* all, vtkIdType length, int type) override
+  {
+    ++this->Number;
+    const std::size_t size = SizeOf(length, type);
+    std::memcpy(all, own, size);
+    std::memset(static_cast<char*>(all) + size, 0, size);
+    return 1;
+  }
+
+  int AllGatherVVoidArray(
+    const void* own, void* all, vtkIdType length, vtkIdType*, vtkIdType*, int type) override
+  {
+    ++this->Number;
+    std::memcpy(all, own, SizeOf(length, type));
+    return 1;
+  }
+
+  int AllReduceVoidArray(const void* own, void* all, vtkIdType length, int type, int) override
+  {
+    ++this->Number;
+    std::memcpy(all, own, SizeOf(length, type));
+    return 1;
+  }
+
+protected:
+  CountedExchanges() { this->MaximumNumberOfProcesses = this->NumberOfProcesses = 2; }
+
+private:
+  static std::size_t SizeOf(vtkIdType length, int type)
+  {
+    return static_cast<std::size_t>(length * vtkAbstractArray::GetDataTypeSize(type));
+  }
+};
+
+vtkStandardNewMacro(CountedExchanges);
 
 double FindSorted(Values values, const Query& query)
 {
@@ -100,6 +156,28 @@ TEST(WeightedValues, AnOutlierLeavesTheOthersApart)
   {
     const Query query{ part, Fine };
     EXPECT_EQ(FindIn(values, { query })[0], FindSorted(values, query)) << part;
+  }
+}
+
+// For each message takes its time, however short it is.
+TEST(WeightedValues, FewAreToldAtOnceAndManyByAndBy)
+{
+  std::vector<Query> queries;
+  for (const long long part : { 10LL, 1000LL, 2000LL, 300000LL })
+  {
+    queries.push_back({ part, Fine });
+    queries.push_back({ part, Coarse });
+  }
+  for (const bool areFew : { true, false })
+  {
+    const Values values = MakeValues(areFew ? 20000 : 70000, 8.0, 5);
+    vtkNew<CountedExchanges> exchanges;
+    vtkNew<vtkDummyController> controller;
+    controller->SetCommunicator(exchanges);
+    const SkdReduction all(controller);
+    EXPECT_EQ(FindIn(values, queries, all), FindIn(values, queries));
+    EXPECT_EQ(exchanges->Number == 2, areFew) << exchanges->Number;
+    EXPECT_GE(exchanges->Number, 2);
   }
 }
 

@@ -195,8 +195,7 @@ class Contributions
 public:
   Contributions(
     const Triangles& triangles, const SkdStatisticsTolerance& tolerance, const SkdReduction& all)
-    : Each(triangles.size(), 0.0)
-    , Of(triangles)
+    : Of(triangles)
     , Tolerance(tolerance)
     , All(all)
   {
@@ -216,36 +215,61 @@ public:
     std::vector<double> own(this->Of.size());
     std::transform(this->Of.begin(), this->Of.end(), own.begin(),
       [&](const SkdSampledTriangle& triangle) { return std::abs(difference(triangle)); });
-    const double sum = this->AddUp(own);
-    const double scale = sum > 0.0 ? statistic.Error / limit / sum : 0.0;
-    std::transform(own.begin(), own.end(), this->Each.begin(), this->Each.begin(),
-      [scale](double part, double before) { return before + scale * part; });
+    this->Errors.push_back({ own, statistic.Error / limit });
   }
 
   /// The fewest that contribute a part of the sum.
   std::vector<std::size_t> GetLargest(double part) const;
 
 private:
-  double AddUp(const std::vector<double>& own) const
+  /// An error in tolerances, and what it is shared out by.
+  struct Error
+  {
+    std::vector<double> Differences;
+    double Size;
+  };
+
+  static SkdCompensatedSum AddUp(const std::vector<double>& own)
   {
     SkdCompensatedSum sum;
     for (const double number : own)
     {
       sum.Add(number);
     }
-    return this->All.Sum(std::vector<SkdCompensatedSum>{ sum })[0];
+    return sum;
   }
+  std::vector<double> GetEach() const;
 
-  std::vector<double> Each;
+  std::vector<Error> Errors;
   const Triangles& Of;
   SkdStatisticsTolerance Tolerance;
   const SkdReduction& All;
 };
 
+std::vector<double> Contributions::GetEach() const
+{
+  std::vector<SkdCompensatedSum> own;
+  for (const Error& error : this->Errors)
+  {
+    own.push_back(AddUp(error.Differences));
+  }
+  std::vector<double> each(this->Of.size(), 0.0);
+  const std::vector<double> sums = own.empty() ? std::vector<double>() : this->All.Sum(own);
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    const double scale = sums[i] > 0.0 ? this->Errors[i].Size / sums[i] : 0.0;
+    std::transform(this->Errors[i].Differences.begin(), this->Errors[i].Differences.end(),
+      each.begin(), each.begin(),
+      [scale](double difference, double before) { return before + scale * difference; });
+  }
+  return each;
+}
+
 // What is below the least of them makes no more than the rest.
 std::vector<std::size_t> Contributions::GetLargest(double part) const
 {
-  const double sum = this->AddUp(this->Each);
+  const std::vector<double> contribution = this->GetEach();
+  const double sum = this->All.Sum(std::vector<SkdCompensatedSum>{ AddUp(contribution) })[0];
   std::vector<std::size_t> largest;
   if (!(sum > 0.0))
   {
@@ -255,7 +279,7 @@ std::vector<std::size_t> Contributions::GetLargest(double part) const
   const SkdWeightedValues contributions(
     [&](const auto& visit)
     {
-      for (const double each : this->Each)
+      for (const double each : contribution)
       {
         visit(SkdWeightedDistance{ each, std::llround(each / sum * all), 0 });
       }
@@ -263,9 +287,9 @@ std::vector<std::size_t> Contributions::GetLargest(double part) const
     this->All);
   const auto rest = static_cast<long long>((1.0 - part) * all);
   const double least = contributions.Find({ { rest + 1, &SkdWeightedDistance::Fine } })[0];
-  for (std::size_t i = 0; least > 0.0 && i < this->Each.size(); ++i)
+  for (std::size_t i = 0; least > 0.0 && i < contribution.size(); ++i)
   {
-    if (this->Each[i] >= least)
+    if (contribution[i] >= least)
     {
       largest.push_back(i);
     }

@@ -69,7 +69,7 @@ private:
   Pieces TakeWidest();
   bool BisectAll(const Pieces& pieces, SkdLoop loop);
   void Keep(const Piece& piece);
-  void Share();
+  bool Share(bool isWhole, std::size_t bisected);
   SkdHausdorff MakeResult() const;
 
   const SkdComparedSet& From;
@@ -84,6 +84,7 @@ private:
   /// Of all processes.
   double Distance = 0.0;
   double UpperBound = 0.0;
+  vtkIdType NumberOpen = 0;
   vtkIdType Bisections = 0;
   ///@}
 };
@@ -207,18 +208,31 @@ bool Search::Start(SkdLoop loop)
   return isWhole;
 }
 
-// What all processes know of the distance.
-void Search::Share()
+// What all processes know of the distance, and what they have bisected, in one message: each takes
+// its time. Returns whether all have come to the end.
+bool Search::Share(bool isWhole, std::size_t bisected)
 {
   double bound = std::max(this->Settled, this->Farthest.Distance);
   for (const Piece& piece : this->Open)
   {
     bound = std::max(bound, piece.Bound);
   }
-  std::vector<double> largest{ this->Farthest.Distance, bound };
-  this->All.TakeLargest(largest);
-  this->Distance = largest[0];
-  this->UpperBound = largest[1];
+  const std::vector<double> own{ this->Farthest.Distance, bound, isWhole ? 1.0 : 0.0,
+    static_cast<double>(this->Open.size()), static_cast<double>(bisected) };
+  const std::vector<double> all = this->All.Gather(own);
+  this->Distance = all[0];
+  this->UpperBound = all[1];
+  this->NumberOpen = 0;
+  bool areWhole = true;
+  for (std::size_t at = 0; at < all.size(); at += own.size())
+  {
+    this->Distance = std::max(this->Distance, all[at]);
+    this->UpperBound = std::max(this->UpperBound, all[at + 1]);
+    areWhole = areWhole && all[at + 2] != 0.0;
+    this->NumberOpen += static_cast<vtkIdType>(all[at + 3]);
+    this->Bisections += static_cast<vtkIdType>(all[at + 4]);
+  }
+  return areWhole;
 }
 
 /// How many pieces all processes have that may hold more.
@@ -237,6 +251,10 @@ double Search::FindLimit() const
   const double limit =
     this->Distance + std::max(this->Limits.Tolerance, 0.25 * (this->UpperBound - this->Distance));
   const vtkIdType left = this->Limits.Bisections - this->Bisections;
+  if (this->NumberOpen <= std::min(round, left))
+  {
+    return limit;
+  }
   const vtkIdType wider = this->CountWider(limit);
   if (wider <= std::min(round, left))
   {
@@ -299,20 +317,18 @@ bool Search::BisectAll(const Pieces& pieces, SkdLoop loop)
 // Each round takes half of the progress that is left, for nobody knows how many there will be.
 SkdHausdorff Search::Run(vtkAlgorithm* self, double first, double last)
 {
-  this->Share();
+  this->Share(true, 0);
   bool isGoing = true;
   while (isGoing && this->UpperBound - this->Distance > this->Limits.Tolerance &&
     this->Bisections < this->Limits.Bisections)
   {
     const Pieces taken = this->TakeWidest();
-    const long long number = this->All.Sum(static_cast<long long>(taken.size()));
     const double middle = (first + last) / 2.0;
-    isGoing = !this->All.IsAny(!this->BisectAll(
-                taken, SkdLoop(self, static_cast<vtkIdType>(taken.size()), first, middle, 1024))) &&
-      number > 0;
-    this->Bisections += static_cast<vtkIdType>(number);
+    const bool isWhole = this->BisectAll(
+      taken, SkdLoop(self, static_cast<vtkIdType>(taken.size()), first, middle, 1024));
+    const vtkIdType before = this->Bisections;
+    isGoing = this->Share(isWhole, taken.size()) && this->Bisections > before;
     first = middle;
-    this->Share();
   }
   return this->MakeResult();
 }

@@ -5,6 +5,8 @@
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
 
+#include <numeric>
+
 namespace skdtree
 {
 namespace
@@ -71,6 +73,22 @@ std::vector<double> SkdReduction::Gather(const std::vector<double>& here) const
   }
   std::vector<double> all(here.size() * static_cast<std::size_t>(this->GetNumberOfProcesses()));
   this->Controller->AllGather(here.data(), all.data(), static_cast<vtkIdType>(here.size()));
+  return all;
+}
+
+std::vector<double> SkdReduction::Gather(
+  const std::vector<double>& here, const std::vector<double>& numbers) const
+{
+  if (!this->Controller)
+  {
+    return here;
+  }
+  std::vector<vtkIdType> lengths(numbers.begin(), numbers.end());
+  std::vector<vtkIdType> offsets(lengths.size(), 0);
+  std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
+  std::vector<double> all(static_cast<std::size_t>(offsets.back() + lengths.back()));
+  this->Controller->AllGatherV(
+    here.data(), all.data(), static_cast<vtkIdType>(here.size()), lengths.data(), offsets.data());
   return all;
 }
 }

@@ -60,6 +60,10 @@ public:
   /// The numbers of all, process by process, each of which has as many.
   std::vector<double> Gather(const std::vector<double>& here) const;
 
+  /// The same where each process has a number of its own of them, which all know.
+  std::vector<double> Gather(
+    const std::vector<double>& here, const std::vector<double>& numbers) const;
+
 private:
   vtkMultiProcessController* Controller;
 };

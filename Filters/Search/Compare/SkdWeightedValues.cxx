@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace skdtree
@@ -15,6 +16,12 @@ namespace
 constexpr long long ValuesInBin = 16;
 constexpr std::size_t FewestBins = std::size_t(1) << 8;
 constexpr std::size_t MostBins = std::size_t(1) << 16;
+
+/// Which all processes may have, if there are no more: 1.5 megabytes.
+constexpr double FewValues = 65536.0;
+
+/// Of a value with its weights, as it is sent.
+constexpr std::size_t NumbersOfValue = sizeof(SkdWeightedDistance) / sizeof(double);
 
 /// Into which the bounds of a quantile are divided, again and again.
 constexpr std::uint64_t Buckets = 1024;
@@ -39,6 +46,33 @@ std::uint64_t WidthOf(std::uint64_t low, std::uint64_t high)
 {
   return (high - low) / Buckets + 1;
 }
+}
+
+bool SkdWeightedValues::AreFew(const std::vector<double>& numbers)
+{
+  return numbers.size() > 1 && std::accumulate(numbers.begin(), numbers.end(), 0.0) <= FewValues;
+}
+
+void SkdWeightedValues::GatherAll(
+  const std::vector<double>& numbers, std::vector<SkdWeightedDistance>& values)
+{
+  std::vector<double> own(values.size() * NumbersOfValue);
+  if (!values.empty())
+  {
+    std::memcpy(own.data(), values.data(), values.size() * sizeof(values[0]));
+  }
+  std::vector<double> lengths(numbers);
+  for (double& length : lengths)
+  {
+    length *= static_cast<double>(NumbersOfValue);
+  }
+  const std::vector<double> all = this->All.Gather(own, lengths);
+  values.resize(all.size() / NumbersOfValue);
+  if (!values.empty())
+  {
+    std::memcpy(values.data(), all.data(), values.size() * sizeof(values[0]));
+  }
+  this->All = SkdReduction();
 }
 
 void SkdWeightedValues::MakeBins(long long number, double largest)

@@ -4,8 +4,9 @@
  * @file SkdWeightedValues.h
  * @brief Quantiles of values with weights, of which several processes have some each.
  *
- * No process gets the values of another: they are counted in bins, then in ever narrower ones
- * around what is looked for. Weights are integers, so that no order of adding them matters.
+ * Few values all processes get: then nothing more is told, for each message takes its time. Of many
+ * no process gets those of another: they are counted in bins, then in ever narrower ones around
+ * what is looked for. Weights are integers, so that no order of adding them matters.
  */
 
 #ifndef SkdWeightedValues_h
@@ -39,19 +40,19 @@ public:
   SkdWeightedValues(const ForEach& forEach, const SkdReduction& all)
     : All(all)
   {
-    long long number = 0;
-    double largest = 0.0;
-    forEach(
-      [&](const SkdWeightedDistance& value)
-      {
-        ++number;
-        largest = std::max(largest, value.Value);
-      });
-    this->MakeBins(number, largest);
-    forEach([this](const SkdWeightedDistance& value) { this->Count(value); });
-    this->AddUpBins();
-    forEach([this](const SkdWeightedDistance& value)
-      { this->Values[this->Ends[this->BinOf(value.Value)]++] = value; });
+    const Extent own(forEach);
+    const std::vector<double> numbers = all.Gather({ static_cast<double>(own.Number) });
+    if (!AreFew(numbers))
+    {
+      this->Fill(forEach, own);
+      return;
+    }
+    std::vector<SkdWeightedDistance> values;
+    forEach([&values](const SkdWeightedDistance& value) { values.push_back(value); });
+    this->GatherAll(numbers, values);
+    const auto forEachOfAll = [&values](const auto& visit)
+    { std::for_each(values.begin(), values.end(), visit); };
+    this->Fill(forEachOfAll, Extent(forEachOfAll));
   }
 
   /// Which quantile: the least value up to which the weights of all add up to a part. At least 1 of
@@ -75,6 +76,40 @@ private:
     std::uint64_t High;
   };
 
+  /// How many values there are, and the largest.
+  struct Extent
+  {
+    template <class ForEach>
+    explicit Extent(const ForEach& forEach)
+    {
+      forEach(
+        [this](const SkdWeightedDistance& value)
+        {
+          ++this->Number;
+          this->Largest = std::max(this->Largest, value.Value);
+        });
+    }
+
+    long long Number = 0;
+    double Largest = 0.0;
+  };
+
+  template <class ForEach>
+  void Fill(const ForEach& forEach, const Extent& own)
+  {
+    this->MakeBins(own.Number, own.Largest);
+    forEach([this](const SkdWeightedDistance& value) { this->Count(value); });
+    this->AddUpBins();
+    forEach([this](const SkdWeightedDistance& value)
+      { this->Values[this->Ends[this->BinOf(value.Value)]++] = value; });
+  }
+
+  /// Whether all of several processes may have the values of all; their number by process.
+  static bool AreFew(const std::vector<double>& numbers);
+
+  /// To the own values those of the others, which need not be asked any more.
+  void GatherAll(const std::vector<double>& numbers, std::vector<SkdWeightedDistance>& values);
+
   std::size_t BinOf(double value) const
   {
     return static_cast<std::size_t>(
@@ -95,9 +130,9 @@ private:
   template <class Visit>
   void ForEachIn(const Search& search, const Visit& visit) const;
 
-  const SkdReduction& All;
+  SkdReduction All;
   double Scale = 0.0;
-  skd::RawVector<SkdWeightedDistance> Values; // own, bin after bin
+  skd::RawVector<SkdWeightedDistance> Values; // own, or few of all, bin after bin
   std::vector<std::size_t> Ends;
   std::vector<long long> Sums; // of all, both weights of each bin and those before
 };
