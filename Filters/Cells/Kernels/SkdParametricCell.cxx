@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdCellFunctions.h"
 #include "Cells/Read/SkdTolerances.h"
+#include "Core/Geometry/TwoDoubles.h"
 
 #include "vtkCell.h"
 #include "vtkCellType.h"
@@ -158,12 +159,15 @@ const double* SkdParametricCell::RationalWeights() const
 //------------------------------------------------------------------------------
 skd::Vector3 SkdParametricCell::Sum(const double* weights) const
 {
-  skd::Vector3 sum{ { 0.0, 0.0, 0.0 } };
+  skd::TwoDoubles xy(0.0); // of three coordinates apart GCC makes more instructions
+  double z = 0.0;
   for (int i = 0; i < this->Size; ++i)
   {
-    sum = sum + weights[i] * this->Points[i];
+    const skd::Vector3& point = this->Points[i];
+    xy = xy + skd::TwoDoubles(weights[i]) * skd::TwoDoubles::Read(point.X);
+    z += weights[i] * point[2];
   }
-  return sum;
+  return { { xy.First(), xy.Second(), z } };
 }
 
 //------------------------------------------------------------------------------
