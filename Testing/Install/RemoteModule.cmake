@@ -4,7 +4,7 @@
 # Puts what a VTK build would fetch from SOURCE into WORK/source/Remote/SkdTree, and builds the small
 # super-project around it with GENERATOR and OPTIONS: without precompiled headers, so that each file
 # shows that it includes what it needs; or, if the environment variable SKDTREE_REMOTE_IN_GROUPS is
-# set, with them and in groups (SKDTREE_UNITY_BUILD), which takes much less time.
+# set, with them and in large groups (SKDTREE_UNITY_BUILD), which takes much less time.
 
 set(super "${WORK}/source")
 file(COPY "${CMAKE_CURRENT_LIST_DIR}/RemoteModule/" "${CMAKE_CURRENT_LIST_DIR}/Outside/Outside.cxx"
@@ -24,7 +24,8 @@ endif ()
 execute_process(
   COMMAND "${CMAKE_COMMAND}" -S "${super}" -B "${WORK}/build" -G "${GENERATOR}"
     -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
-    -DCMAKE_DISABLE_PRECOMPILE_HEADERS=${alone} -DSKDTREE_UNITY_BUILD=${in_groups} ${OPTIONS}
+    -DCMAKE_DISABLE_PRECOMPILE_HEADERS=${alone} -DSKDTREE_UNITY_BUILD=${in_groups}
+    -DSKDTREE_UNITY_SIZE=18 ${OPTIONS}
   COMMAND_ERROR_IS_FATAL ANY)
 execute_process(
   COMMAND "${CMAKE_COMMAND}" --build "${WORK}/build" --target RemoteModule
