@@ -20,9 +20,30 @@ namespace
 {
 using skd::Vector3;
 
+/// Of numbers that can be told from their neighbours.
 bool IsWhole(double x)
 {
-  return x == std::round(x);
+  constexpr double most = 9007199254740992.0; // 2^53
+  return std::abs(x) < most && x == std::round(x);
+}
+
+/// Of points on one line along an axis only the last differs.
+std::array<double, 3> AlongLast(const Vector3& x, int axis)
+{
+  return { x[(axis + 1) % 3], x[(axis + 2) % 3], x[axis] };
+}
+
+/// The axis that a side runs along, -1 if it runs along none.
+int AxisOf(const Vector3& side)
+{
+  int found = -1;
+  int along = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    found = side[axis] != 0.0 ? axis : found;
+    along += side[axis] != 0.0 ? 1 : 0;
+  }
+  return along == 1 ? found : -1;
 }
 
 /// A rectangle in a plane of a lattice, and on which side of it its cell is.
@@ -214,13 +235,14 @@ void SkdInnerFaces::Add(const std::vector<Vector3>& corners, const Vector3& with
 }
 
 //------------------------------------------------------------------------------
-std::vector<unsigned char> SkdInnerFaces::Find() const
+std::vector<unsigned char> SkdInnerFaces::Find()
 {
   std::vector<unsigned char> isInner(this->Within.size(), 0);
   this->FindEqual(isInner);
   if (this->IsLattice)
   {
     this->FindCovered(isInner);
+    this->SortCorners();
   }
   return isInner;
 }
@@ -287,7 +309,7 @@ void SkdInnerFaces::FindCovered(std::vector<unsigned char>& isInner) const
     corners.clear();
     for (const vtkIdType corner : this->Corners[face])
     {
-      corners.push_back(this->Weld.GetPoints()[static_cast<std::size_t>(corner)]);
+      corners.push_back(this->GetKey(corner));
     }
     Rectangle rectangle{};
     if (isInner[face] == 0 && FindRectangle(corners, this->KeyOf(this->Within[face]), rectangle))
@@ -299,6 +321,20 @@ void SkdInnerFaces::FindCovered(std::vector<unsigned char>& isInner) const
 }
 
 //------------------------------------------------------------------------------
+void SkdInnerFaces::SortCorners()
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<vtkIdType>& order = this->OnLines[axis];
+    order.resize(this->Points.size());
+    std::iota(order.begin(), order.end(), vtkIdType(0));
+    std::sort(order.begin(), order.end(),
+      [&](vtkIdType a, vtkIdType b)
+      { return AlongLast(this->GetKey(a), axis) < AlongLast(this->GetKey(b), axis); });
+  }
+}
+
+//------------------------------------------------------------------------------
 void SkdInnerFaces::FindAllCorners(
   std::size_t face, const std::vector<unsigned char>& counts, std::vector<vtkIdType>& corners) const
 {
@@ -307,22 +343,43 @@ void SkdInnerFaces::FindAllCorners(
   for (std::size_t i = 0; i < given.size(); ++i)
   {
     corners.push_back(given[i]);
-    const auto keyOf = [this](vtkIdType corner)
-    { return this->Weld.GetPoints()[static_cast<std::size_t>(corner)]; };
-    const Vector3 from = keyOf(given[i]);
-    const Vector3 side = keyOf(given[(i + 1) % given.size()]) - from;
-    const double length = std::abs(side[0]) + std::abs(side[1]) + std::abs(side[2]);
-    const bool isSide =
-      this->IsLattice && IsWhole(length) && std::count(side.X, side.X + 3, 0.0) == 2;
-    const Vector3 along{ { side[0] / length, side[1] / length, side[2] / length } };
-    for (double step = 1.0; isSide && step < length; step += 1.0)
-    {
-      const vtkIdType between = this->Weld.Find((from + step * along).X);
-      if (between >= 0 && counts[static_cast<std::size_t>(between)] != 0)
-      {
-        corners.push_back(between);
-      }
-    }
+    const std::size_t first = corners.size();
+    this->AddCornersBetween(given[i], given[(i + 1) % given.size()], corners);
+    corners.erase(
+      std::remove_if(corners.begin() + static_cast<std::ptrdiff_t>(first), corners.end(),
+        [&](vtkIdType corner) { return counts[static_cast<std::size_t>(corner)] == 0; }),
+      corners.end());
+  }
+}
+
+//------------------------------------------------------------------------------
+// In their order from one to the other.
+void SkdInnerFaces::AddCornersBetween(
+  vtkIdType from, vtkIdType to, std::vector<vtkIdType>& corners) const
+{
+  const int axis = AxisOf(this->GetKey(to) - this->GetKey(from));
+  if (!this->IsLattice || axis < 0)
+  {
+    return;
+  }
+  const auto placeOf = [&](vtkIdType corner) { return AlongLast(this->GetKey(corner), axis); };
+  std::array<double, 3> least = placeOf(from);
+  std::array<double, 3> most = placeOf(to);
+  const bool isBackward = most < least;
+  if (isBackward)
+  {
+    std::swap(least, most);
+  }
+  const std::vector<vtkIdType>& order = this->OnLines[axis];
+  const auto begin = std::upper_bound(order.begin(), order.end(), least,
+    [&](const auto& place, vtkIdType corner) { return place < placeOf(corner); });
+  const auto end = std::lower_bound(begin, order.end(), most,
+    [&](vtkIdType corner, const auto& place) { return placeOf(corner) < place; });
+  const auto first = static_cast<std::ptrdiff_t>(corners.size());
+  corners.insert(corners.end(), begin, end);
+  if (isBackward)
+  {
+    std::reverse(corners.begin() + first, corners.end());
   }
 }
 }

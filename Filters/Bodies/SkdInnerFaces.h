@@ -18,6 +18,7 @@
 #include "Core/Geometry/Vector.h"
 #include "vtkType.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -35,7 +36,7 @@ public:
   void Add(const std::vector<skd::Vector3>& corners, const skd::Vector3& within);
 
   /// For each face whether it is inside the mesh. O(n log n).
-  std::vector<unsigned char> Find() const;
+  std::vector<unsigned char> Find();
 
   /// The numbers of a face's corners: those of several pieces at one point have one.
   auto GetCorners(std::size_t face) const { return this->Corners[face]; }
@@ -48,21 +49,28 @@ public:
   std::size_t GetNumberOfPoints() const { return this->Points.size(); }
 
   /// The corners of a face, and between them those of smaller ones that lie on its sides, given
-  /// which corners count.
+  /// which corners count; after Find. O(log n) and what is found.
   void FindAllCorners(std::size_t face, const std::vector<unsigned char>& counts,
     std::vector<vtkIdType>& corners) const;
 
 private:
   skd::Vector3 KeyOf(const skd::Vector3& x) const;
+  const skd::Vector3& GetKey(vtkIdType corner) const
+  {
+    return this->Weld.GetPoints()[static_cast<std::size_t>(corner)];
+  }
   bool AreOnOppositeSides(std::size_t first, std::size_t second) const;
   void FindEqual(std::vector<unsigned char>& isInner) const;
   void FindCovered(std::vector<unsigned char>& isInner) const;
+  void SortCorners();
+  void AddCornersBetween(vtkIdType from, vtkIdType to, std::vector<vtkIdType>& corners) const;
 
   bool IsLattice = false; // pieces are images
   skd::Vector3 Origin{};  // of the lattice
   skd::Vector3 Spacing{};
   SkdWeld Weld; // of corners, on the lattice
   std::vector<skd::Vector3> Points;
+  std::array<std::vector<vtkIdType>, 3> OnLines; // corners, along each axis line by line
   skd::Rows<vtkIdType> Corners;
   std::vector<skd::Vector3> Within;
 };

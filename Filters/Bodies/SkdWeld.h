@@ -41,20 +41,14 @@ public:
     {
       this->Grow();
     }
-    const skd::Vector3 point = WithoutMinusZero(x);
-    vtkIdType& slot = this->Slots[this->FindSlot(point)];
+    const skd::Vector3 point{ { x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 } }; // no -0: its bits differ
+    vtkIdType& slot = this->FindSlot(point);
     if (slot < 0)
     {
       slot = static_cast<vtkIdType>(this->Points.size());
       this->Points.push_back(point);
     }
     return slot;
-  }
-
-  /// The id of the point at x, -1 if there is none.
-  vtkIdType Find(const double x[3]) const
-  {
-    return this->Slots.empty() ? -1 : this->Slots[this->FindSlot(WithoutMinusZero(x))];
   }
 
   /// By their ids.
@@ -82,14 +76,8 @@ private:
     return bits;
   }
 
-  /// No -0: its bits differ.
-  static skd::Vector3 WithoutMinusZero(const double x[3])
-  {
-    return { { x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 } };
-  }
-
   /// The slot of a point, or the free one where it belongs.
-  std::size_t FindSlot(const skd::Vector3& point) const
+  vtkIdType& FindSlot(const skd::Vector3& point)
   {
     const std::size_t mask = this->Slots.size() - 1;
     std::size_t at = HashOf(point) & mask;
@@ -97,7 +85,7 @@ private:
     {
       at = (at + 1) & mask;
     }
-    return at;
+    return this->Slots[at];
   }
 
   bool HaveSameBits(vtkIdType id, const skd::Vector3& point) const
@@ -112,7 +100,7 @@ private:
     this->Slots.assign(this->Slots.empty() ? Fewest : 2 * this->Slots.size(), -1);
     for (std::size_t id = 0; id < this->Points.size(); ++id)
     {
-      this->Slots[this->FindSlot(this->Points[id])] = static_cast<vtkIdType>(id);
+      this->FindSlot(this->Points[id]) = static_cast<vtkIdType>(id);
     }
   }
 

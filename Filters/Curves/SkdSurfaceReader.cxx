@@ -112,10 +112,10 @@ std::vector<vtkIdType> VolumesOf(vtkDataSet* mesh)
 }
 
 /// The faces of volume cells that no other one of the data set has.
-std::vector<SkdCellFace> OuterFacesOf(vtkDataSet* mesh, const std::vector<vtkIdType>& volumes)
+std::vector<SkdCellFace> OuterFacesOf(vtkDataSet* mesh)
 {
   SkdFaceList faces;
-  for (const vtkIdType cellId : volumes)
+  for (const vtkIdType cellId : VolumesOf(mesh))
   {
     vtkCell* cell = mesh->GetCell(cellId);
     const bool isHull = cell->GetCellType() == VTK_CONVEX_POINT_SET;
@@ -154,7 +154,7 @@ std::vector<skd::Vector3> PointsOf(vtkDataSet* mesh, const SkdCellFace& face)
 }
 
 //------------------------------------------------------------------------------
-void SkdSurfaceReader::FindInnerFaces(const std::vector<SkdBlock>& blocks)
+void SkdSurfaceReader::FindOuterFaces(const std::vector<SkdBlock>& blocks)
 {
   for (const std::vector<std::size_t>& mesh : SkdPiecesOfMeshes(blocks))
   {
@@ -168,7 +168,7 @@ void SkdSurfaceReader::FindInnerFaces(const std::vector<SkdBlock>& blocks)
     for (const std::size_t i : mesh)
     {
       const SkdQueryPoints middles(blocks[i].Mesh, SkdQueryPoints::At::Middles);
-      for (const SkdCellFace& face : OuterFacesOf(blocks[i].Mesh, VolumesOf(blocks[i].Mesh)))
+      for (const SkdCellFace& face : OuterFacesOf(blocks[i].Mesh))
       {
         skd::Vector3 middle;
         middles.GetPoint(face.CellId, middle.X);
@@ -179,9 +179,10 @@ void SkdSurfaceReader::FindInnerFaces(const std::vector<SkdBlock>& blocks)
     const std::vector<unsigned char> isInner = inner.Find();
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
-      if (isInner[i] != 0)
+      std::vector<SkdCellFace>& ofBlock = this->OuterFaces[faces[i].first];
+      if (isInner[i] == 0)
       {
-        this->InnerFaces[faces[i].first].insert(faces[i].second);
+        ofBlock.push_back(faces[i].second);
       }
     }
   }
@@ -192,7 +193,7 @@ void SkdSurfaceReader::Read(vtkDataSet* mesh, int block)
 {
   this->Block = block;
   const std::vector<unsigned char> counted = SkdFindCounted(mesh);
-  std::vector<vtkIdType> volumes;
+  bool hasVolumes = false;
   for (vtkIdType cellId = 0; cellId < mesh->GetNumberOfCells(); ++cellId)
   {
     if (counted[static_cast<std::size_t>(cellId)] == 0 ||
@@ -203,7 +204,7 @@ void SkdSurfaceReader::Read(vtkDataSet* mesh, int block)
     vtkCell* cell = mesh->GetCell(cellId);
     if (cell->GetCellDimension() == 3 && this->WithVolumes)
     {
-      volumes.push_back(cellId);
+      hasVolumes = true;
     }
     else if (cell->GetCellDimension() != 2)
     {
@@ -216,21 +217,21 @@ void SkdSurfaceReader::Read(vtkDataSet* mesh, int block)
       this->AddCell(cell);
     }
   }
-  this->ReadFaces(mesh, volumes);
+  if (hasVolumes)
+  {
+    this->ReadFaces(mesh);
+  }
 }
 
 //------------------------------------------------------------------------------
-void SkdSurfaceReader::ReadFaces(vtkDataSet* mesh, const std::vector<vtkIdType>& volumes)
+void SkdSurfaceReader::ReadFaces(vtkDataSet* mesh)
 {
-  const std::set<SkdCellFace>& inner = this->InnerFaces[this->Block];
+  const auto known = this->OuterFaces.find(this->Block);
+  const std::vector<SkdCellFace> faces =
+    known != this->OuterFaces.end() ? std::move(known->second) : OuterFacesOf(mesh);
   this->IsWhole = false;
-  for (const SkdCellFace& outer : OuterFacesOf(mesh, volumes))
+  for (const auto& [cellId, face] : faces)
   {
-    const auto& [cellId, face] = outer;
-    if (inner.count(outer) > 0)
-    {
-      continue;
-    }
     this->CellId = cellId;
     vtkCell* cell = mesh->GetCell(cellId);
     if (cell->GetCellType() == VTK_CONVEX_POINT_SET)

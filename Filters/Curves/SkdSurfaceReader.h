@@ -11,7 +11,6 @@
 
 #include <cstdint>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -47,9 +46,9 @@ public:
   {
   }
 
-  /// Finds the faces between data sets that are pieces of one mesh, which are no outer ones. To be
-  /// called before these are read.
-  void FindInnerFaces(const std::vector<SkdBlock>& blocks);
+  /// Finds the outer faces of data sets that are pieces of one mesh, without those between pieces.
+  /// To be called before these are read.
+  void FindOuterFaces(const std::vector<SkdBlock>& blocks);
 
   void Read(vtkDataSet* mesh, int block);
 
@@ -61,7 +60,7 @@ public:
   std::vector<skd::Homogeneous> Controls;
 
 private:
-  void ReadFaces(vtkDataSet* mesh, const std::vector<vtkIdType>& volumes);
+  void ReadFaces(vtkDataSet* mesh);
   void AddCell(vtkCell* cell);
   template <class CornerOf>
   void AddPolygon(vtkIdType size, const CornerOf& cornerOf);
@@ -71,7 +70,7 @@ private:
   void AddTriangle(const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c);
   void AddPatch(const skd::BezierPatch& patch, const skd::Vector3& origin);
 
-  std::map<int, std::set<SkdCellFace>> InnerFaces; // of each block
+  std::map<int, std::vector<SkdCellFace>> OuterFaces; // of blocks that are pieces
   SkdTriangulation Triangulation;
   bool WithVolumes;
   int Block = 0;

@@ -26,7 +26,7 @@ bool SkdSurfaceSet::Update(const std::vector<SkdBlock>& blocks, bool withVolumes
   const std::vector<SkdBlock> structures = this->Meshes.Keep(blocks);
   if (withVolumes)
   {
-    reader.FindInnerFaces(structures);
+    reader.FindOuterFaces(structures);
   }
   int block = 0;
   for (const SkdBlock& structure : structures)

@@ -428,3 +428,28 @@ TEST(PiecesOfImages, HaveClosedSurfacesWhereFacesAreCoveredInPart)
   EXPECT_LT(distances[1], 0.0);
   EXPECT_NEAR(distances[2], 0.2, 1e-12);
 }
+
+// The sides of the large cell have 10^12 steps of the lattice, and the last piece is 10^20 of them
+// away.
+TEST(PiecesOfImages, MayDifferVeryMuchInSize)
+{
+  vtkNew<vtkPartitionedDataSet> pieces;
+  const std::array<double, 3> sizes = { 1.0, 1e-12, 1.0 };
+  const std::array<double, 3> begins = { 0.0, 1.0, 1e8 };
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(2, 2, 2);
+    image->SetSpacing(sizes[i], sizes[i], sizes[i]);
+    image->SetOrigin(begins[i], 0.0, 0.0);
+    pieces->SetPartition(i, image);
+  }
+  Mesh line;
+  line.Add(VTK_LINE, { line.Add({ -1, 0.4, 0.3 }), line.Add({ 4, 0.6, 0.5 }) });
+  const auto hits = MakeOf<vtkSkdTreeCurveSurfaceIntersection>(MakePolyData(line), pieces);
+  hits->Update();
+  EXPECT_EQ(Reported(hits, "Hits"), 2.0);
+  const auto pairs = MakeOf<vtkSkdTreeSurfaceIntersection>(Ball(0.8), pieces);
+  pairs->Update();
+  EXPECT_GT(Reported(pairs, "Curves"), 0.0);
+}
