@@ -7,7 +7,9 @@
  * A face is inside if a face of another piece, seen from the other side, has the same corners. Of
  * images, such as the blocks of AMR data, cells may differ in size: there a face is also inside if
  * smaller faces that are seen from the other side cover it wholly, and so are these. Of points that
- * VTK finds by origin and spacing of several images, rounding is no difference.
+ * VTK finds by origin and spacing of several images, rounding is no difference. Images of different
+ * cell sizes that lie in one partition of several processes come here as one grid of cells: of
+ * these such faces are not found.
  */
 
 #ifndef SkdInnerFaces_h
