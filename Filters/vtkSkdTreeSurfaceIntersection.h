@@ -12,9 +12,8 @@
  * vtkPartitionedDataSet, are one mesh: faces between its blocks or pieces are no outer ones, be
  * these of the same level or not, and of images but for rounding. (Images of different cell sizes
  * in one partition of several processes are joined as cells, of which only equal faces are found.)
- * Other blocks are meshes of their
- * own, and meet where they touch. Cells with more than three points are triangulated without new
- * points (a quad along the shorter of its interior diagonals).
+ * Other blocks are meshes of their own, and meet where they touch. Cells with more than three
+ * points are triangulated without new points (a quad along the shorter of its interior diagonals).
  *
  * Tests use exact signs: there is no tolerance, and the result is correct for surfaces that
  * coincide, touch, graze or lie far from the origin (for the given points; for a moved Source, for

@@ -362,9 +362,9 @@ void SkdInnerFaces::AddCornersBetween(
   {
     return;
   }
-  const auto placeOf = [&](vtkIdType corner) { return AlongLast(this->GetKey(corner), axis); };
-  std::array<double, 3> least = placeOf(from);
-  std::array<double, 3> most = placeOf(to);
+  const auto positionOf = [&](vtkIdType corner) { return AlongLast(this->GetKey(corner), axis); };
+  std::array<double, 3> least = positionOf(from);
+  std::array<double, 3> most = positionOf(to);
   const bool isBackward = most < least;
   if (isBackward)
   {
@@ -372,9 +372,9 @@ void SkdInnerFaces::AddCornersBetween(
   }
   const std::vector<vtkIdType>& order = this->OnLines[axis];
   const auto begin = std::upper_bound(order.begin(), order.end(), least,
-    [&](const auto& place, vtkIdType corner) { return place < placeOf(corner); });
+    [&](const auto& position, vtkIdType corner) { return position < positionOf(corner); });
   const auto end = std::lower_bound(begin, order.end(), most,
-    [&](vtkIdType corner, const auto& place) { return placeOf(corner) < place; });
+    [&](vtkIdType corner, const auto& position) { return positionOf(corner) < position; });
   const auto first = static_cast<std::ptrdiff_t>(corners.size());
   corners.insert(corners.end(), begin, end);
   if (isBackward)
