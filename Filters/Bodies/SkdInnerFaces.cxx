@@ -20,11 +20,13 @@ namespace
 {
 using skd::Vector3;
 
+/// From here on not every whole number is a double.
+constexpr double endOfWholeNumbers = 9007199254740992.0; // 2^53
+
 /// Of numbers that can be told from their neighbours.
 bool IsWhole(double x)
 {
-  constexpr double most = 9007199254740992.0; // 2^53
-  return std::abs(x) < most && x == std::round(x);
+  return std::abs(x) < endOfWholeNumbers && x == std::round(x);
 }
 
 /// Of points on one line along an axis only the last differs.
@@ -55,7 +57,11 @@ struct Rectangle
   std::array<std::int64_t, 2> First;
   std::array<std::int64_t, 2> Size;
 
-  std::int64_t Area() const { return this->Size[0] * this->Size[1]; }
+  /// Exact if it is less than endOfWholeNumbers, as is then each sum of areas that is less.
+  double Area() const
+  {
+    return static_cast<double>(this->Size[0]) * static_cast<double>(this->Size[1]);
+  }
 
   std::array<std::int64_t, 7> Key() const
   {
@@ -88,7 +94,7 @@ public:
   void Mark(std::vector<unsigned char>& isMarked)
   {
     std::sort(this->Order.begin(), this->Order.end());
-    std::vector<std::int64_t> covered(this->Rectangles.size(), 0);
+    std::vector<double> covered(this->Rectangles.size(), 0.0);
     std::vector<std::pair<std::size_t, std::size_t>> pairs; // small, large
     for (std::size_t small = 0; small < this->Rectangles.size(); ++small)
     {
@@ -139,7 +145,8 @@ private:
   std::set<std::array<std::int64_t, 6>> Kinds; // axis, side, sizes, where they begin
 };
 
-/// Of a face with the corners of a rectangle of the lattice. Returns whether it is one.
+/// Of a face with the corners of a rectangle of the lattice. Returns whether it is one whose area
+/// is exact.
 bool FindRectangle(const std::vector<Vector3>& corners, const Vector3& within, Rectangle& rectangle)
 {
   Vector3 low = corners.front();
@@ -169,7 +176,7 @@ bool FindRectangle(const std::vector<Vector3>& corners, const Vector3& within, R
     rectangle.First[i] = static_cast<std::int64_t>(low[axis]);
     rectangle.Size[i] = static_cast<std::int64_t>(high[axis] - low[axis]);
   }
-  return true;
+  return rectangle.Area() < endOfWholeNumbers;
 }
 }
 
