@@ -88,13 +88,12 @@ public:
    *
    * Points of equal coordinates are treated as one, and faces between two volume cells, also of
    * different blocks, are not part of the boundary. Faces that do not match are, but for those
-   * between levels of AMR data and between images of one vtkPartitionedDataSet: a face that smaller
-   * ones cover wholly is not, nor are these (images of different cell sizes in one partition of
-   * several processes are joined as cells: there it is). The sign is exact, as with AUTOMATIC of
-   * vtkSkdTreePointInOut: orientation does not matter, and overlaps of bodies are inside. A surface
-   * with open edges (used by an odd number of faces) gives one warning that counts them; the sign
-   * is then that of AUTOMATIC, which may be wrong near gaps. A Source without a surface gives a
-   * warning and unsigned distances. Default off.
+   * between levels of AMR data and between images, or voxels along the axes, of one
+   * vtkPartitionedDataSet: a face that smaller ones cover wholly is not, nor are these. The sign is
+   * exact, as with the method AUTOMATIC of vtkSkdTreePointInOut: orientation does not matter, and
+   * overlaps of bodies are inside. A surface with open edges (used by an odd number of faces) gives
+   * one warning that counts them; the sign is then that of AUTOMATIC, which may be wrong near gaps.
+   * A Source without a surface gives a warning and unsigned distances. Default off.
    */
   vtkSkdTreeSwitchMacro(SignedDistance);
   //@}

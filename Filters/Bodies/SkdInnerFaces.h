@@ -5,11 +5,10 @@
  * @brief Which outer faces of the pieces of one mesh are inside the mesh: those between pieces.
  *
  * A face is inside if a face of another piece, seen from the other side, has the same corners. Of
- * images, such as the blocks of AMR data, cells may differ in size: there a face is also inside if
- * smaller faces that are seen from the other side cover it wholly, and so are these. Of points that
- * VTK finds by origin and spacing of several images, rounding is no difference. Images of different
- * cell sizes that lie in one partition of several processes come here as one grid of cells: of
- * these such faces are not found.
+ * images, such as the blocks of AMR data, and of grids of voxels along the axes, cells may differ
+ * in size: there a face is also inside if smaller faces that are seen from the other side cover it
+ * wholly, and so are these. Of points that VTK finds by origin and spacing of several images,
+ * rounding is no difference.
  */
 
 #ifndef SkdInnerFaces_h
@@ -31,6 +30,9 @@ namespace skdtree
 class SkdInnerFaces
 {
 public:
+  /// Whether outer faces of one piece may be inside it: voxels of several sizes. O(cells).
+  static bool MayBeWithin(vtkDataSet* piece);
+
   explicit SkdInnerFaces(const std::vector<vtkDataSet*>& pieces);
 
   /// Adds an outer face of a piece, given its corners and a point within its cell. Faces are
@@ -67,7 +69,7 @@ private:
   void SortCorners();
   void AddCornersBetween(vtkIdType from, vtkIdType to, std::vector<vtkIdType>& corners) const;
 
-  bool IsLattice = false; // pieces are images
+  bool IsLattice = false; // pieces are images or voxels
   skd::Vector3 Origin{};  // of the lattice
   skd::Vector3 Spacing{};
   SkdWeld Weld; // of corners, on the lattice

@@ -154,11 +154,9 @@ std::vector<std::vector<std::size_t>> SkdPiecesOfMeshes(const std::vector<SkdBlo
   for (auto& [first, some] : pieces)
   {
     const auto hasNoVolume = [&](std::size_t i) { return !SkdHasVolumeCells(blocks[i].Mesh); };
-    if (some.size() > 1)
-    {
-      some.erase(std::remove_if(some.begin(), some.end(), hasNoVolume), some.end());
-    }
-    if (some.size() > 1)
+    some.erase(std::remove_if(some.begin(), some.end(), hasNoVolume), some.end());
+    if (some.size() > 1 ||
+      (some.size() == 1 && SkdInnerFaces::MayBeWithin(blocks[some.front()].Mesh)))
     {
       meshes.push_back(std::move(some));
     }

@@ -5,9 +5,9 @@
  * @brief The outer faces of meshes that consist of several blocks: AMR data, partitioned data sets.
  *
  * Faces between pieces of one mesh are no outer faces: see SkdInnerFaces for those that are found.
- * Where cells of images differ in size, the larger of the faces that are left have the corners of
- * smaller ones on their sides as corners, too, so that the surface of the mesh is closed and no
- * edge of it touches another one but at its ends.
+ * Where cells of images or voxels differ in size, the larger of the faces that are left have the
+ * corners of smaller ones on their sides as corners, too, so that the surface of the mesh is closed
+ * and no edge of it touches another one but at its ends.
  */
 
 #ifndef SkdPieceSurfaces_h
@@ -24,7 +24,7 @@
 namespace skdtree
 {
 /// The blocks with volume cells that are pieces of one mesh, by their indices in the list; one list
-/// for each mesh that has several.
+/// for each mesh that has several, or one with faces within it.
 std::vector<std::vector<std::size_t>> SkdPiecesOfMeshes(const std::vector<SkdBlock>& blocks);
 
 struct SkdPieceSurface

@@ -118,6 +118,14 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> InCollection(vtkPartitionedData
   return collection;
 }
 
+/// Voxels of two sizes as one grid, as images of several processes are joined.
+vtkSmartPointer<vtkPartitionedDataSet> JoinedLevels()
+{
+  auto partitions = vtkSmartPointer<vtkPartitionedDataSet>::New();
+  partitions->SetPartition(0, ShownCellsOf(MakeAMRInBlocks()));
+  return partitions;
+}
+
 struct NamedPieces
 {
   std::string Name;
@@ -135,6 +143,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(All, PiecesOfMeshes,
   testing::Values(NamedPieces{ "Levels", [] { return MakeAMR(); } },
     NamedPieces{ "Blocks", [] { return MakeAMRInBlocks(); } },
+    NamedPieces{ "JoinedLevels", [] { return JoinedLevels(); } },
     NamedPieces{ "Hexahedra", [] { return Partitioned(Whole(Hexahedra(8))); } },
     NamedPieces{ "Tetrahedra", [] { return Partitioned(Whole(Tetrahedra(8))); } },
     NamedPieces{ "Collection", [] { return InCollection(Partitioned(Whole(Voxels(8)))); } }),
