@@ -296,6 +296,7 @@ bool vtkSkdTreeCurveSurfaceIntersection::NeedsWhole(int port)
 bool vtkSkdTreeCurveSurfaceIntersection::NeedsNearbySource(SkdSearchRange& range)
 {
   range.OfDiagonal = 1e-3; // more than any rounding
+  range.IsOfOuterFaces = this->VolumeFaces;
   return this->PolylineForm == STRAIGHT && this->Parts != CONNECTED_PIECES && !this->CutCurves;
 }
 

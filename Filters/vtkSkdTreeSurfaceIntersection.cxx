@@ -291,6 +291,7 @@ bool vtkSkdTreeSurfaceIntersection::NeedsNearbySource(SkdSearchRange& range)
 {
   range.Distance = this->Clearance;
   range.OfDiagonal = 1e-3; // more than any rounding
+  range.IsOfOuterFaces = true;
   return this->Pairs == ALL_PAIRS && SkdMotionOf(this)->IsIdentity();
 }
 

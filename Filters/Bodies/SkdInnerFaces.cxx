@@ -2,14 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bodies/SkdInnerFaces.h"
 
-#include "Cells/Curved/SkdCurvedFaces.h"
-#include "Cells/Read/SkdCellReader.h"
-#include "vtkCellType.h"
-#include "vtkIdList.h"
-#include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
-#include "vtkNew.h"
-#include "vtkUnstructuredGrid.h"
+#include "Pipeline/SkdVolumeCells.h"
 
 #include <algorithm>
 #include <array>
@@ -26,95 +19,6 @@ namespace skdtree
 namespace
 {
 using skd::Vector3;
-
-/// A point of a lattice along the axes, and the sizes of its cells.
-struct Lattice
-{
-  Vector3 Origin;
-  Vector3 Least;
-  Vector3 Most;
-
-  Lattice With(const Lattice& other) const
-  {
-    return { this->Origin, skd::Least(this->Least, other.Least),
-      skd::Greatest(this->Most, other.Most) };
-  }
-};
-
-std::optional<Lattice> LatticeOf(vtkImageData* image)
-{
-  const double* size = image->GetSpacing();
-  Lattice lattice{ {}, { { size[0], size[1], size[2] } }, { { size[0], size[1], size[2] } } };
-  image->GetPoint(0, lattice.Origin.X);
-  const bool isAlongAxes = image->GetDirectionMatrix()->IsIdentity();
-  return isAlongAxes && size[0] > 0.0 && size[1] > 0.0 && size[2] > 0.0
-    ? std::make_optional(lattice)
-    : std::nullopt;
-}
-
-/// The lattice of one voxel, if its sides are along the axes but for rounding.
-std::optional<Lattice> LatticeOf(const std::array<Vector3, 8>& corners)
-{
-  constexpr double rounding = 1e-6;
-  Vector3 size;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const Vector3 side = corners[std::size_t(1) << axis] - corners[0];
-    const double aside = std::abs(side[(axis + 1) % 3]) + std::abs(side[(axis + 2) % 3]);
-    size[axis] = side[axis];
-    if (!(size[axis] > 0.0) || !(aside <= rounding * size[axis]))
-    {
-      return std::nullopt;
-    }
-  }
-  return Lattice{ corners[0], size, size };
-}
-
-std::array<Vector3, 8> CornersOf(
-  vtkUnstructuredGrid* grid, const SkdCellReader& reader, vtkIdType voxel, vtkIdList* list)
-{
-  std::array<Vector3, 8> corners{};
-  reader.VisitPoints(voxel, list,
-    [&](const auto* ids, std::size_t size)
-    {
-      for (std::size_t i = 0; i < std::min(size, corners.size()); ++i)
-      {
-        grid->GetPoint(static_cast<vtkIdType>(ids[i]), corners[i].X);
-      }
-    });
-  return corners;
-}
-
-/// Of voxels: images that cannot be one become such where the pieces of processes are joined.
-std::optional<Lattice> LatticeOf(vtkUnstructuredGrid* grid)
-{
-  std::optional<Lattice> all;
-  const SkdCellReader reader(grid);
-  vtkNew<vtkIdList> list;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-  {
-    const int type = reader.TypeOf(cell);
-    if (SkdDimensionOfCellType(type) != 3)
-    {
-      continue;
-    }
-    const std::optional<Lattice> lattice =
-      type == VTK_VOXEL ? LatticeOf(CornersOf(grid, reader, cell, list)) : std::nullopt;
-    if (!lattice)
-    {
-      return std::nullopt;
-    }
-    all = all ? all->With(*lattice) : lattice;
-  }
-  return all;
-}
-
-std::optional<Lattice> LatticeOf(vtkDataSet* piece)
-{
-  auto* image = vtkImageData::SafeDownCast(piece);
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(piece);
-  return image ? LatticeOf(image) : grid ? LatticeOf(grid) : std::nullopt;
-}
 
 /// From here on not every whole number is a double.
 constexpr double endOfWholeNumbers = 9007199254740992.0; // 2^53
@@ -277,23 +181,12 @@ bool FindRectangle(const std::vector<Vector3>& corners, const Vector3& within, R
 }
 
 //------------------------------------------------------------------------------
-bool SkdInnerFaces::MayBeWithin(vtkDataSet* piece)
-{
-  constexpr double more = 1.5; // than rounding
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(piece);
-  const std::optional<Lattice> lattice = grid ? LatticeOf(grid) : std::nullopt;
-  return lattice &&
-    (lattice->Most[0] > more * lattice->Least[0] || lattice->Most[1] > more * lattice->Least[1] ||
-      lattice->Most[2] > more * lattice->Least[2]);
-}
-
-//------------------------------------------------------------------------------
 SkdInnerFaces::SkdInnerFaces(const std::vector<vtkDataSet*>& pieces)
 {
-  std::optional<Lattice> all;
+  std::optional<SkdVoxelLattice> all;
   for (vtkDataSet* piece : pieces)
   {
-    const std::optional<Lattice> lattice = LatticeOf(piece);
+    const std::optional<SkdVoxelLattice> lattice = SkdVoxelLatticeOf(piece);
     if (!lattice)
     {
       return;

@@ -30,9 +30,6 @@ namespace skdtree
 class SkdInnerFaces
 {
 public:
-  /// Whether outer faces of one piece may be inside it: voxels of several sizes. O(cells).
-  static bool MayBeWithin(vtkDataSet* piece);
-
   explicit SkdInnerFaces(const std::vector<vtkDataSet*>& pieces);
 
   /// Adds an outer face of a piece, given its corners and a point within its cell. Faces are

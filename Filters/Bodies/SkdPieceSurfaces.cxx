@@ -137,6 +137,12 @@ void Joint::LeaveOutInner(SkdPieceSurface& piece)
   piece.NumberOfAll = this->Inner.GetNumberOfPoints();
   piece.Faces->SetFaces(cells, polygons, points);
 }
+
+bool HasFacesWithin(vtkDataSet* piece)
+{
+  const std::optional<SkdVoxelLattice> lattice = SkdVoxelLatticeOf(piece);
+  return lattice && lattice->HasSeveralSizes();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -155,8 +161,7 @@ std::vector<std::vector<std::size_t>> SkdPiecesOfMeshes(const std::vector<SkdBlo
   {
     const auto hasNoVolume = [&](std::size_t i) { return !SkdHasVolumeCells(blocks[i].Mesh); };
     some.erase(std::remove_if(some.begin(), some.end(), hasNoVolume), some.end());
-    if (some.size() > 1 ||
-      (some.size() == 1 && SkdInnerFaces::MayBeWithin(blocks[some.front()].Mesh)))
+    if (some.size() > 1 || (some.size() == 1 && HasFacesWithin(blocks[some.front()].Mesh)))
     {
       meshes.push_back(std::move(some));
     }

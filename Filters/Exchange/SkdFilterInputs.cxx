@@ -23,7 +23,10 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <limits>
+#include <optional>
 #include <string>
 
 namespace skdtree
@@ -47,6 +50,28 @@ bool AreFlat(vtkDataObject* piece, vtkDataObject* own, vtkMultiProcessController
   }
   controller->AllReduce(here, anywhere, 6, vtkCommunicator::MIN_OP);
   return anywhere[0] == -anywhere[3] || anywhere[1] == -anywhere[4] || anywhere[2] == -anywhere[5];
+}
+
+/// Whether voxels that processes have in partitions differ in size, so that several of them cover
+/// faces of another. The same on all processes.
+bool HaveCoveredFaces(vtkDataObject* piece, vtkMultiProcessController* controller)
+{
+  constexpr double none = std::numeric_limits<double>::max();
+  std::array<double, 6> here{ none, none, none, none, none, none }; // least, and minus the largest
+  for (const SkdBlock& block : SkdBlocksOf(piece))
+  {
+    const auto lattice = block.FirstPiece >= 0 ? SkdVoxelLatticeOf(block.Mesh) : std::nullopt;
+    for (int axis = 0; lattice && axis < 3; ++axis)
+    {
+      here[axis] = std::min(here[axis], lattice->Least[axis]);
+      here[3 + axis] = std::min(here[3 + axis], -lattice->Most[axis]);
+    }
+  }
+  std::array<double, 6> all{};
+  controller->AllReduce(here.data(), all.data(), 6, vtkCommunicator::MIN_OP);
+  return SkdVoxelLattice{
+    {}, { { all[0], all[1], all[2] } }, { { -all[3], -all[4], -all[5] } }
+  }.HasSeveralSizes();
 }
 
 /// Whether the reach does for what all processes have; what of it depends on that is decided.
@@ -365,7 +390,9 @@ bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, vtkDataObject* own, int 
   {
     return false;
   }
-  if (!Fit(piece, own, controller, range))
+  if (!Fit(piece, own, controller, range) ||
+    ((asks || range.IsOfOuterFaces) && SkdIsComposite(piece) &&
+      HaveCoveredFaces(piece, controller)))
   {
     return false;
   }

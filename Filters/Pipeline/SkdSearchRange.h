@@ -50,6 +50,10 @@ struct SkdSearchRange
   /// without cells.
   bool IsOfFaces = false;
 
+  /// Outer faces of volume cells are what is searched: cells are not brought where some may be
+  /// covered by several others (SkdVoxelLattice).
+  bool IsOfOuterFaces = false;
+
   /// Both meshes are searched, each near what a process has of the other.
   bool IsMutual = false;
 
@@ -72,8 +76,8 @@ struct SkdSearchRange
   {
     return std::tie(this->Distance, this->OfDiagonal, this->OfOwnDiagonal, this->WithNeighbours,
       this->WithNearest, this->IsOfSamples, this->IsOfNearSurfaces, this->IsUnlessFlat,
-      this->IsOfOneMesh, this->IsOfFaces, this->IsMutual, this->WithOwn, this->Directions,
-      this->IsOwnInDegrees, this->IsSearchedInDegrees, this->IsNotForSpheres);
+      this->IsOfOneMesh, this->IsOfFaces, this->IsOfOuterFaces, this->IsMutual, this->WithOwn,
+      this->Directions, this->IsOwnInDegrees, this->IsSearchedInDegrees, this->IsNotForSpheres);
   }
 
   bool operator==(const SkdSearchRange& other) const { return this->Tie() == other.Tie(); }

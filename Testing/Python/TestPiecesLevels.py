@@ -4,7 +4,7 @@
 faces are between blocks, levels, partitions or pieces. Run without an argument this starts the processes;
 with the name of a file and partitions it is one of them, and writes there what it has found."""
 
-from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSet
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPartitionedDataSet
 from vtkmodules.vtkFiltersAMR import vtkAMRGaussianPulseSource
 
 import skdexchange
@@ -42,7 +42,22 @@ def halves(partition):
     return parts
 
 
-MESHES = {"levels": (levels, (-0.7, -0.8, 1.3), 1.6), "halves": (halves, (0.1, 0.2, 0.3), 5.0)}
+def images(partition):
+    """Images of two cell sizes that touch, every n-th on each process: each counts its own from 0."""
+    boxes = ((-2, -2, 2, 4, 1.0), (0, -2, 2, 2, 0.5), (0, 0, 2, 2, 0.5), (2, -2, 2, 4, 1.0))
+    rank, processes = skdpieces.process()
+    parts = vtkPartitionedDataSet()
+    for x, y, width, length, size in boxes[rank::processes]:
+        image = vtkImageData()
+        image.SetOrigin(x, y, -2.0)
+        image.SetSpacing(size, size, size)
+        image.SetDimensions(*(int(side / size) + 1 for side in (width, length, 4)))
+        parts.SetPartition(parts.GetNumberOfPartitions(), image)
+    return parts
+
+
+MESHES = {"levels": (levels, (-0.7, -0.8, 1.3), 1.6), "halves": (halves, (0.1, 0.2, 0.3), 5.0),
+    "images": (images, (0.1, 0.2, 0.3), 2.1)}
 
 
 def filters(mesh, center, radius, distribution):
