@@ -2,247 +2,264 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bodies/SkdInnerFaces.h"
 
-#include "Pipeline/SkdVolumeCells.h"
+#include "Bodies/SkdWeld.h"
+#include "Core/Search/Tree/PackedRTree.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <optional>
-#include <set>
-#include <utility>
-#include <vector>
 
 namespace skdtree
 {
-namespace
-{
 using skd::Vector3;
 
-/// From here on not every whole number is a double.
-constexpr double endOfWholeNumbers = 9007199254740992.0; // 2^53
-
-/// Of numbers that can be told from their neighbours.
-bool IsWhole(double x)
+/// A face of a voxel, by the ranks of its corners.
+struct SkdInnerFaces::Rectangle
 {
-  return std::abs(x) < endOfWholeNumbers && x == std::round(x);
-}
-
-/// Of points on one line along an axis only the last differs.
-std::array<double, 3> AlongLast(const Vector3& x, int axis)
-{
-  return { x[(axis + 1) % 3], x[(axis + 2) % 3], x[axis] };
-}
-
-/// The axis that a side runs along, -1 if it runs along none.
-int AxisOf(const Vector3& side)
-{
-  int found = -1;
-  int along = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    found = side[axis] != 0.0 ? axis : found;
-    along += side[axis] != 0.0 ? 1 : 0;
-  }
-  return along == 1 ? found : -1;
-}
-
-/// A rectangle in a plane of a lattice, and on which side of it its cell is.
-struct Rectangle
-{
+  std::size_t Face;
   int Axis; // across
   bool IsCellBelow;
-  std::int64_t Plane;
-  std::array<std::int64_t, 2> First;
-  std::array<std::int64_t, 2> Size;
+  int Plane;
+  std::array<int, 2> First; // along the two axes that follow
+  std::array<int, 2> Last;
+  double Area;
 
-  /// Exact if it is less than endOfWholeNumbers, as is then each sum of areas that is less.
-  double Area() const
+  /// Whether the other one is seen from the other side, and is a part of it.
+  bool HasWithin(const Rectangle& other) const
   {
-    return static_cast<double>(this->Size[0]) * static_cast<double>(this->Size[1]);
+    return this->Axis == other.Axis && this->Plane == other.Plane &&
+      this->IsCellBelow != other.IsCellBelow && this->First[0] <= other.First[0] &&
+      this->First[1] <= other.First[1] && other.Last[0] <= this->Last[0] &&
+      other.Last[1] <= this->Last[1] && (this->First != other.First || this->Last != other.Last);
   }
 
-  std::array<std::int64_t, 7> Key() const
+  /// Ascending.
+  std::array<std::array<int, 2>, 4> GetCorners() const
   {
-    return { this->Axis, this->IsCellBelow, this->Plane, this->Size[0], this->Size[1],
-      this->First[0], this->First[1] };
+    return { { this->First, { this->First[0], this->Last[1] }, { this->Last[0], this->First[1] },
+      this->Last } };
+  }
+
+  skd::Box3 GetBox() const
+  {
+    Vector3 low;
+    Vector3 high;
+    low[this->Axis] = high[this->Axis] = this->Plane;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const int axis = (this->Axis + 1 + static_cast<int>(i)) % 3;
+      low[axis] = this->First[i];
+      high[axis] = this->Last[i];
+    }
+    return { low, high };
+  }
+
+  /// Whether parts of it are all of it and do not overlap. The number of parts at each of its
+  /// points is odd if the corners of an odd number of parts are its own; it is 1 if their areas are
+  /// no more than its own.
+  bool IsTiledBy(const std::vector<const Rectangle*>& parts) const
+  {
+    double area = 0.0;
+    double least = this->Area;
+    std::vector<std::array<int, 2>> corners;
+    for (const Rectangle* part : parts)
+    {
+      area += part->Area;
+      least = std::min(least, part->Area);
+      const auto some = part->GetCorners();
+      corners.insert(corners.end(), some.begin(), some.end());
+    }
+    std::sort(corners.begin(), corners.end());
+    std::vector<std::array<int, 2>> odd;
+    for (auto begin = corners.begin(); begin != corners.end();)
+    {
+      const auto end = std::upper_bound(begin, corners.end(), *begin);
+      odd.insert(odd.end(), static_cast<std::size_t>(end - begin) % 2, *begin);
+      begin = end;
+    }
+    const auto own = this->GetCorners();
+    return area < this->Area + least && std::equal(odd.begin(), odd.end(), own.begin(), own.end());
   }
 };
-
-std::int64_t Remainder(std::int64_t a, std::int64_t n)
-{
-  return (a % n + n) % n;
-}
-
-/// The larger rectangles that others lie on, seen from the other side.
-class Cover
-{
-public:
-  void Add(std::size_t face, const Rectangle& rectangle)
-  {
-    this->Rectangles.push_back(rectangle);
-    this->Faces.push_back(face);
-    this->Order.emplace_back(rectangle.Key(), this->Order.size());
-    const auto& first = rectangle.First;
-    const auto& size = rectangle.Size;
-    this->Kinds.insert({ rectangle.Axis, rectangle.IsCellBelow, size[0], size[1],
-      Remainder(first[0], size[0]), Remainder(first[1], size[1]) });
-  }
-
-  /// Marks the rectangles that smaller ones cover wholly, and these.
-  void Mark(std::vector<unsigned char>& isMarked)
-  {
-    std::sort(this->Order.begin(), this->Order.end());
-    std::vector<double> covered(this->Rectangles.size(), 0.0);
-    std::vector<std::pair<std::size_t, std::size_t>> pairs; // small, large
-    for (std::size_t small = 0; small < this->Rectangles.size(); ++small)
-    {
-      for (const std::array<std::int64_t, 6>& kind : this->Kinds)
-      {
-        const std::size_t large = this->FindOf(kind, this->Rectangles[small]);
-        if (large < covered.size())
-        {
-          covered[large] += this->Rectangles[small].Area();
-          pairs.emplace_back(small, large);
-        }
-      }
-    }
-    for (const auto& [small, large] : pairs)
-    {
-      if (covered[large] == this->Rectangles[large].Area())
-      {
-        isMarked[this->Faces[small]] = isMarked[this->Faces[large]] = 1;
-      }
-    }
-  }
-
-private:
-  /// The rectangle of a kind that a smaller one lies on; if there is none, how many there are.
-  std::size_t FindOf(const std::array<std::int64_t, 6>& kind, const Rectangle& small) const
-  {
-    Rectangle large = small;
-    large.IsCellBelow = !small.IsCellBelow;
-    large.Size = { kind[2], kind[3] };
-    bool isWithin = kind[0] == small.Axis && kind[1] == (large.IsCellBelow ? 1 : 0) &&
-      large.Area() > small.Area();
-    for (std::size_t i = 0; isWithin && i < 2; ++i)
-    {
-      const std::int64_t beyond = Remainder(small.First[i] - kind[4 + i], large.Size[i]);
-      large.First[i] = small.First[i] - beyond;
-      isWithin = beyond + small.Size[i] <= large.Size[i];
-    }
-    const auto found = std::lower_bound(
-      this->Order.begin(), this->Order.end(), std::make_pair(large.Key(), std::size_t(0)));
-    return isWithin && found != this->Order.end() && found->first == large.Key()
-      ? found->second
-      : this->Rectangles.size();
-  }
-
-  std::vector<Rectangle> Rectangles;
-  std::vector<std::size_t> Faces;
-  std::vector<std::pair<std::array<std::int64_t, 7>, std::size_t>> Order;
-  std::set<std::array<std::int64_t, 6>> Kinds; // axis, side, sizes, where they begin
-};
-
-/// Of a face with the corners of a rectangle of the lattice. Returns whether it is one whose area
-/// is exact.
-bool FindRectangle(const std::vector<Vector3>& corners, const Vector3& within, Rectangle& rectangle)
-{
-  Vector3 low = corners.front();
-  Vector3 high = low;
-  bool isWhole = corners.size() == 4;
-  for (const Vector3& corner : corners)
-  {
-    low = skd::Least(low, corner);
-    high = skd::Greatest(high, corner);
-    isWhole = isWhole && IsWhole(corner[0]) && IsWhole(corner[1]) && IsWhole(corner[2]);
-  }
-  int flat = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    rectangle.Axis = low[axis] == high[axis] ? axis : rectangle.Axis;
-    flat += low[axis] == high[axis] ? 1 : 0;
-  }
-  if (!isWhole || flat != 1)
-  {
-    return false;
-  }
-  rectangle.Plane = static_cast<std::int64_t>(low[rectangle.Axis]);
-  rectangle.IsCellBelow = within[rectangle.Axis] < low[rectangle.Axis];
-  for (int i = 0; i < 2; ++i)
-  {
-    const int axis = (rectangle.Axis + 1 + i) % 3;
-    rectangle.First[i] = static_cast<std::int64_t>(low[axis]);
-    rectangle.Size[i] = static_cast<std::int64_t>(high[axis] - low[axis]);
-  }
-  return rectangle.Area() < endOfWholeNumbers;
-}
-}
 
 //------------------------------------------------------------------------------
 SkdInnerFaces::SkdInnerFaces(const std::vector<vtkDataSet*>& pieces)
 {
-  std::optional<SkdVoxelLattice> all;
   for (vtkDataSet* piece : pieces)
   {
-    const std::optional<SkdVoxelLattice> lattice = SkdVoxelLatticeOf(piece);
-    if (!lattice)
+    const std::optional<SkdVoxelLattice> voxels = SkdVoxelLatticeOf(piece);
+    const auto known = std::find_if(this->Lattices.begin(), this->Lattices.end(),
+      [&](const SkdVoxelLattice& lattice) { return voxels && lattice.HasSameAxes(*voxels); });
+    this->LatticeOfPiece.push_back(voxels ? static_cast<int>(known - this->Lattices.begin()) : -1);
+    this->SizeOfPiece.push_back(voxels ? voxels->Least : Vector3{});
+    if (voxels && known == this->Lattices.end())
     {
-      return;
+      this->Lattices.push_back(*voxels);
     }
-    all = all ? all->With(*lattice) : lattice;
-  }
-  if (all)
-  {
-    this->IsLattice = true;
-    this->Origin = all->Origin;
-    this->Spacing = all->Least;
+    else if (voxels)
+    {
+      *known = known->With(*voxels);
+    }
   }
 }
 
 //------------------------------------------------------------------------------
-// Where a point is on the lattice, in its steps, or in space.
-Vector3 SkdInnerFaces::KeyOf(const Vector3& x) const
+void SkdInnerFaces::Add(
+  std::size_t piece, const std::vector<Vector3>& corners, const Vector3& within)
 {
-  constexpr double rounding = 1e-4; // more than any
-  Vector3 key = x;
-  for (int axis = 0; axis < 3 && this->IsLattice; ++axis)
-  {
-    key[axis] = (x[axis] - this->Origin[axis]) / this->Spacing[axis];
-    const double nearest = std::round(key[axis]);
-    key[axis] = std::abs(key[axis] - nearest) < rounding ? nearest : key[axis];
-  }
-  return key;
-}
-
-//------------------------------------------------------------------------------
-void SkdInnerFaces::Add(const std::vector<Vector3>& corners, const Vector3& within)
-{
-  std::vector<vtkIdType> ids;
-  for (const Vector3& corner : corners)
-  {
-    ids.push_back(this->Weld.GetId(this->KeyOf(corner).X));
-    if (static_cast<std::size_t>(ids.back()) == this->Points.size())
-    {
-      this->Points.push_back(corner);
-    }
-  }
-  this->Corners.Add(ids.begin(), ids.end());
+  this->Given.insert(this->Given.end(), corners.begin(), corners.end());
+  this->FirstGiven.push_back(this->Given.size());
+  this->PieceOf.push_back(piece);
   this->Within.push_back(within);
 }
 
 //------------------------------------------------------------------------------
 std::vector<unsigned char> SkdInnerFaces::Find()
 {
+  this->NumberCorners();
   std::vector<unsigned char> isInner(this->Within.size(), 0);
   this->FindEqual(isInner);
-  if (this->IsLattice)
+  for (std::size_t lattice = 0; lattice < this->Lattices.size(); ++lattice)
   {
-    this->FindCovered(isInner);
-    this->SortCorners();
+    if (this->Lattices[lattice].HasSeveralSizes())
+    {
+      this->FindCovered(static_cast<int>(lattice), isInner);
+    }
   }
+  this->SortCorners();
   return isInner;
+}
+
+//------------------------------------------------------------------------------
+// Values that differ by rounding alone have one rank.
+void SkdInnerFaces::FindRanks(int lattice)
+{
+  constexpr double rounding = 1e-4; // more than any, of the size of a cell
+  struct Value
+  {
+    double X;
+    double Size;
+    std::size_t Corner;
+  };
+  const SkdVoxelLattice& voxels = this->Lattices[static_cast<std::size_t>(lattice)];
+  std::vector<Value> values;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    values.clear();
+    for (std::size_t face = 0; face < this->PieceOf.size(); ++face)
+    {
+      const std::size_t end = this->LatticeOf(face) == lattice ? this->FirstGiven[face + 1] : 0;
+      for (std::size_t corner = this->FirstGiven[face]; corner < end; ++corner)
+      {
+        values.push_back({ voxels.GetCoordinate(this->Given[corner], axis),
+          this->SizeOfPiece[this->PieceOf[face]][axis], corner });
+      }
+    }
+    std::sort(
+      values.begin(), values.end(), [](const Value& a, const Value& b) { return a.X < b.X; });
+    int rank = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const Value& value = values[i];
+      const Value& last = values[i > 0 ? i - 1 : 0];
+      rank += value.X - last.X > rounding * std::min(value.Size, last.Size) ? 1 : 0;
+      Position& position = this->GivenPositions[value.Corner];
+      position.Lattice = lattice;
+      position.Ranks[static_cast<std::size_t>(axis)] = rank;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Gives one number to the corners at one position, or at equal coordinates.
+class SkdInnerFaces::Numbering
+{
+public:
+  explicit Numbering(std::size_t lattices)
+    : ByPosition(lattices)
+  {
+  }
+
+  /// -1 if it is not known; then it is to be set. Those of positions come first: of these
+  /// coordinates may differ by rounding.
+  vtkIdType Find(const Vector3& point, const Position& position)
+  {
+    this->OfPoint = &this->ByPoint.SlotOf(point);
+    this->OfPosition = &this->None;
+    this->None = -1;
+    if (position.Lattice >= 0)
+    {
+      const std::array<int, 3>& ranks = position.Ranks;
+      this->OfPosition = &this->ByPosition[static_cast<std::size_t>(position.Lattice)].SlotOf(
+        { { double(ranks[0]), double(ranks[1]), double(ranks[2]) } });
+    }
+    return *this->OfPosition >= 0 ? *this->OfPosition : *this->OfPoint;
+  }
+
+  /// Of what was looked for last.
+  void Set(vtkIdType number)
+  {
+    *this->OfPosition = number;
+    *this->OfPoint = *this->OfPoint >= 0 ? *this->OfPoint : number;
+  }
+
+private:
+  struct Table
+  {
+    SkdWeld Keys;
+    std::vector<vtkIdType> Numbers;
+
+    vtkIdType& SlotOf(const Vector3& key)
+    {
+      const auto slot = static_cast<std::size_t>(this->Keys.GetId(key.X));
+      this->Numbers.resize(std::max(this->Numbers.size(), slot + 1), -1);
+      return this->Numbers[slot];
+    }
+  };
+
+  Table ByPoint;
+  std::vector<Table> ByPosition; // by lattice
+  vtkIdType None = -1;
+  vtkIdType* OfPoint = nullptr;
+  vtkIdType* OfPosition = nullptr;
+};
+
+//------------------------------------------------------------------------------
+void SkdInnerFaces::NumberCorners()
+{
+  this->GivenPositions.resize(this->Given.size());
+  for (std::size_t lattice = 0; lattice < this->Lattices.size(); ++lattice)
+  {
+    this->FindRanks(static_cast<int>(lattice));
+  }
+  Numbering numbering(this->Lattices.size());
+  std::vector<vtkIdType> numbers(this->Given.size());
+  for (const bool areVoxels : { true, false })
+  {
+    for (std::size_t corner = 0; corner < this->Given.size(); ++corner)
+    {
+      const Position& position = this->GivenPositions[corner];
+      if ((position.Lattice >= 0) != areVoxels)
+      {
+        continue;
+      }
+      vtkIdType& number = numbers[corner];
+      number = numbering.Find(this->Given[corner], position);
+      if (number < 0)
+      {
+        number = static_cast<vtkIdType>(this->Points.size());
+        this->Points.push_back(this->Given[corner]);
+        this->Positions.push_back(position);
+      }
+      numbering.Set(number);
+    }
+  }
+  for (std::size_t face = 0; face < this->PieceOf.size(); ++face)
+  {
+    const auto at = [&](std::size_t corner)
+    { return numbers.begin() + static_cast<std::ptrdiff_t>(corner); };
+    this->Corners.Add(at(this->FirstGiven[face]), at(this->FirstGiven[face + 1]));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -298,37 +315,110 @@ bool SkdInnerFaces::AreOnOppositeSides(std::size_t first, std::size_t second) co
 }
 
 //------------------------------------------------------------------------------
-void SkdInnerFaces::FindCovered(std::vector<unsigned char>& isInner) const
+// Whether it is one: of a voxel.
+bool SkdInnerFaces::FindRectangle(std::size_t face, Rectangle& rectangle) const
 {
-  Cover cover;
-  std::vector<Vector3> corners;
-  for (std::size_t face = 0; face < isInner.size(); ++face)
+  const std::size_t begin = this->FirstGiven[face];
+  const std::size_t end = this->FirstGiven[face + 1];
+  std::array<int, 3> low = this->GivenPositions[begin].Ranks;
+  std::array<int, 3> high = low;
+  std::array<std::size_t, 3> lowest{ begin, begin, begin };
+  std::array<std::size_t, 3> highest = lowest;
+  for (std::size_t corner = begin; corner < end; ++corner)
   {
-    corners.clear();
-    for (const vtkIdType corner : this->Corners[face])
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      corners.push_back(this->GetKey(corner));
-    }
-    Rectangle rectangle{};
-    if (isInner[face] == 0 && FindRectangle(corners, this->KeyOf(this->Within[face]), rectangle))
-    {
-      cover.Add(face, rectangle);
+      const int rank = this->GivenPositions[corner].Ranks[axis];
+      lowest[axis] = rank < low[axis] ? corner : lowest[axis];
+      highest[axis] = rank > high[axis] ? corner : highest[axis];
+      low[axis] = std::min(low[axis], rank);
+      high[axis] = std::max(high[axis], rank);
     }
   }
-  cover.Mark(isInner);
+  int flat = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto i = static_cast<std::size_t>(axis);
+    rectangle.Axis = low[i] == high[i] ? axis : rectangle.Axis;
+    flat += low[i] == high[i] ? 1 : 0;
+  }
+  if (end - begin != 4 || flat != 1)
+  {
+    return false;
+  }
+  const SkdVoxelLattice& voxels = this->Lattices[static_cast<std::size_t>(this->LatticeOf(face))];
+  const auto across = static_cast<std::size_t>(rectangle.Axis);
+  rectangle.Face = face;
+  rectangle.Plane = low[across];
+  rectangle.IsCellBelow = voxels.GetCoordinate(this->Within[face], rectangle.Axis) <
+    voxels.GetCoordinate(this->Given[begin], rectangle.Axis);
+  rectangle.Area = 1.0;
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const std::size_t axis = (across + 1 + i) % 3;
+    const int number = static_cast<int>(axis);
+    rectangle.First[i] = low[axis];
+    rectangle.Last[i] = high[axis];
+    rectangle.Area *= voxels.GetCoordinate(this->Given[highest[axis]], number) -
+      voxels.GetCoordinate(this->Given[lowest[axis]], number);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Larger faces that smaller ones cover wholly, and these.
+void SkdInnerFaces::FindCovered(int lattice, std::vector<unsigned char>& isInner) const
+{
+  std::vector<Rectangle> rectangles;
+  std::vector<skd::Box3> boxes;
+  for (std::size_t face = 0; face < isInner.size(); ++face)
+  {
+    Rectangle rectangle{};
+    if (isInner[face] == 0 && this->LatticeOf(face) == lattice &&
+      this->FindRectangle(face, rectangle))
+    {
+      rectangles.push_back(rectangle);
+      boxes.push_back(rectangle.GetBox());
+    }
+  }
+  const skd::PackedRTree tree(boxes);
+  std::vector<std::vector<const Rectangle*>> parts(rectangles.size());
+  for (const Rectangle& part : rectangles)
+  {
+    const Vector3 middle = part.GetBox().Centroid();
+    tree.ForEachOverlapping({ middle, middle },
+      [&](std::uint32_t whole)
+      {
+        if (rectangles[whole].HasWithin(part))
+        {
+          parts[whole].push_back(&part);
+        }
+      });
+  }
+  for (std::size_t whole = 0; whole < rectangles.size(); ++whole)
+  {
+    if (!parts[whole].empty() && rectangles[whole].IsTiledBy(parts[whole]))
+    {
+      isInner[rectangles[whole].Face] = 1;
+      for (const Rectangle* part : parts[whole])
+      {
+        isInner[part->Face] = 1;
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
 void SkdInnerFaces::SortCorners()
 {
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
     std::vector<vtkIdType>& order = this->OnLines[axis];
-    order.resize(this->Points.size());
+    order.resize(this->Lattices.empty() ? 0 : this->Points.size());
     std::iota(order.begin(), order.end(), vtkIdType(0));
     std::sort(order.begin(), order.end(),
       [&](vtkIdType a, vtkIdType b)
-      { return AlongLast(this->GetKey(a), axis) < AlongLast(this->GetKey(b), axis); });
+      { return this->PositionOf(a).AlongLast(axis) < this->PositionOf(b).AlongLast(axis); });
   }
 }
 
@@ -351,28 +441,45 @@ void SkdInnerFaces::FindAllCorners(
 }
 
 //------------------------------------------------------------------------------
+// The axis that the side between two positions runs along, none if it runs along no one.
+std::optional<std::size_t> SkdInnerFaces::AxisBetween(const Position& from, const Position& to)
+{
+  std::optional<std::size_t> found;
+  int along = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (from.Ranks[axis] != to.Ranks[axis])
+    {
+      found = axis;
+      ++along;
+    }
+  }
+  return from.Lattice >= 0 && from.Lattice == to.Lattice && along == 1 ? found : std::nullopt;
+}
+
+//------------------------------------------------------------------------------
 // In their order from one to the other.
 void SkdInnerFaces::AddCornersBetween(
   vtkIdType from, vtkIdType to, std::vector<vtkIdType>& corners) const
 {
-  const int axis = AxisOf(this->GetKey(to) - this->GetKey(from));
-  if (!this->IsLattice || axis < 0)
+  const std::optional<std::size_t> axis = AxisBetween(this->PositionOf(from), this->PositionOf(to));
+  if (!axis)
   {
     return;
   }
-  const auto positionOf = [&](vtkIdType corner) { return AlongLast(this->GetKey(corner), axis); };
-  std::array<double, 3> least = positionOf(from);
-  std::array<double, 3> most = positionOf(to);
+  const auto keyOf = [&](vtkIdType corner) { return this->PositionOf(corner).AlongLast(*axis); };
+  std::array<int, 4> least = keyOf(from);
+  std::array<int, 4> most = keyOf(to);
   const bool isBackward = most < least;
   if (isBackward)
   {
     std::swap(least, most);
   }
-  const std::vector<vtkIdType>& order = this->OnLines[axis];
+  const std::vector<vtkIdType>& order = this->OnLines[*axis];
   const auto begin = std::upper_bound(order.begin(), order.end(), least,
-    [&](const auto& position, vtkIdType corner) { return position < positionOf(corner); });
+    [&](const auto& key, vtkIdType corner) { return key < keyOf(corner); });
   const auto end = std::lower_bound(begin, order.end(), most,
-    [&](vtkIdType corner, const auto& position) { return positionOf(corner) < position; });
+    [&](vtkIdType corner, const auto& key) { return keyOf(corner) < key; });
   const auto first = static_cast<std::ptrdiff_t>(corners.size());
   corners.insert(corners.end(), begin, end);
   if (isBackward)

@@ -35,7 +35,7 @@ public:
   {
   }
 
-  void AddFaces(vtkDataSet* mesh, const SkdBlockSurface& surface);
+  void AddFaces(std::size_t piece, vtkDataSet* mesh, const SkdBlockSurface& surface);
   void FindInner();
   void LeaveOutInner(SkdPieceSurface& piece);
 
@@ -46,7 +46,7 @@ private:
   std::size_t Next = 0;
 };
 
-void Joint::AddFaces(vtkDataSet* mesh, const SkdBlockSurface& surface)
+void Joint::AddFaces(std::size_t piece, vtkDataSet* mesh, const SkdBlockSurface& surface)
 {
   const SkdQueryPoints middles(mesh, SkdQueryPoints::At::Middles);
   std::vector<skd::Vector3> points;
@@ -62,7 +62,7 @@ void Joint::AddFaces(vtkDataSet* mesh, const SkdBlockSurface& surface)
         }
         skd::Vector3 middle;
         middles.GetPoint(surface.GetCellId(cell), middle.X);
-        this->Inner.Add(points, middle);
+        this->Inner.Add(piece, points, middle);
       }
     });
 }
@@ -182,10 +182,11 @@ std::vector<SkdPieceSurface> SkdSurfacesOfPieces(
       pieces.push_back(blocks[i].Mesh);
     }
     Joint joint(pieces);
-    for (const std::size_t i : mesh)
+    for (std::size_t piece = 0; piece < mesh.size(); ++piece)
     {
-      surfaces[i].Faces.emplace(blocks[i].Mesh, chordalLength);
-      joint.AddFaces(blocks[i].Mesh, *surfaces[i].Faces);
+      std::optional<SkdBlockSurface>& faces = surfaces[mesh[piece]].Faces;
+      faces.emplace(pieces[piece], chordalLength);
+      joint.AddFaces(piece, pieces[piece], *faces);
     }
     joint.FindInner();
     for (const std::size_t i : mesh)

@@ -165,15 +165,15 @@ void SkdSurfaceReader::FindOuterFaces(const std::vector<SkdBlock>& blocks)
     }
     SkdInnerFaces inner(pieces);
     std::vector<std::pair<int, SkdCellFace>> faces;
-    for (const std::size_t i : mesh)
+    for (std::size_t piece = 0; piece < mesh.size(); ++piece)
     {
-      const SkdQueryPoints middles(blocks[i].Mesh, SkdQueryPoints::At::Middles);
-      for (const SkdCellFace& face : OuterFacesOf(blocks[i].Mesh))
+      const SkdQueryPoints middles(pieces[piece], SkdQueryPoints::At::Middles);
+      for (const SkdCellFace& face : OuterFacesOf(pieces[piece]))
       {
         skd::Vector3 middle;
         middles.GetPoint(face.CellId, middle.X);
-        inner.Add(PointsOf(blocks[i].Mesh, face), middle);
-        faces.emplace_back(static_cast<int>(i), face);
+        inner.Add(piece, PointsOf(pieces[piece], face), middle);
+        faces.emplace_back(static_cast<int>(mesh[piece]), face);
       }
     }
     const std::vector<unsigned char> isInner = inner.Find();

@@ -86,6 +86,28 @@ inline std::vector<unsigned char> SkdFindShown(vtkDataSet* mesh, int type)
   return shown;
 }
 
+/// Whether cells (vtkDataObject::CELL) or POINTs are shown, without a look at all of a mesh that
+/// hides none.
+class SkdShown
+{
+public:
+  SkdShown(vtkDataSet* mesh, int type)
+  {
+    if (mesh->GetCellGhostArray() || mesh->GetPointGhostArray())
+    {
+      this->Shown = SkdFindShown(mesh, type);
+    }
+  }
+
+  bool Has(vtkIdType id) const
+  {
+    return this->Shown.empty() || this->Shown[static_cast<std::size_t>(id)] != 0;
+  }
+
+private:
+  std::vector<unsigned char> Shown; // empty: all are
+};
+
 /// The box of the shown points whose coordinates are finite.
 inline skd::Box3 SkdShownBounds(vtkDataSet* mesh)
 {

@@ -4,6 +4,7 @@
 
 #include "Cells/Curved/SkdCurvedFaces.h"
 #include "Cells/Read/SkdCellReader.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
@@ -22,38 +23,37 @@ namespace
 {
 using skd::Vector3;
 
+/// Given the directions of the axes: each product of one of them with its own of these is 1, and
+/// with the others 0.
+std::array<Vector3, 3> DualOf(const std::array<Vector3, 3>& directions)
+{
+  const Vector3 across = skd::Cross(directions[1], directions[2]);
+  const double perVolume = 1.0 / skd::Dot(directions[0], across);
+  return { perVolume * across, perVolume * skd::Cross(directions[2], directions[0]),
+    perVolume * skd::Cross(directions[0], directions[1]) };
+}
+
 std::optional<SkdVoxelLattice> LatticeOf(vtkImageData* image)
 {
   const double* spacing = image->GetSpacing();
   const Vector3 size{ { spacing[0], spacing[1], spacing[2] } };
-  SkdVoxelLattice lattice{ {}, size, size };
-  image->GetPoint(0, lattice.Origin.X);
-  const bool isAlongAxes = image->GetDirectionMatrix()->IsIdentity();
-  return image->GetDataDimension() == 3 && isAlongAxes && size[0] > 0.0 && size[1] > 0.0 &&
-      size[2] > 0.0
-    ? std::make_optional(lattice)
-    : std::nullopt;
-}
-
-/// Of one voxel, if its sides are along the axes but for rounding.
-std::optional<SkdVoxelLattice> LatticeOf(const std::array<Vector3, 8>& corners)
-{
-  constexpr double rounding = 1e-6;
-  Vector3 size;
+  std::array<Vector3, 3> directions;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const Vector3 side = corners[std::size_t(1) << axis] - corners[0];
-    const double aside = std::abs(side[(axis + 1) % 3]) + std::abs(side[(axis + 2) % 3]);
-    size[axis] = side[axis];
-    if (!(size[axis] > 0.0) || !(aside <= rounding * size[axis]))
+    for (int i = 0; i < 3; ++i)
     {
-      return std::nullopt;
+      directions[static_cast<std::size_t>(axis)][i] =
+        image->GetDirectionMatrix()->GetElement(i, axis);
     }
   }
-  return SkdVoxelLattice{ corners[0], size, size };
+  const bool isVolume =
+    image->GetDataDimension() == 3 && size[0] > 0.0 && size[1] > 0.0 && size[2] > 0.0;
+  return isVolume ? std::make_optional(SkdVoxelLattice{ DualOf(directions), size, size })
+                  : std::nullopt;
 }
 
-std::array<Vector3, 8> CornersOf(
+/// From the first corner of a voxel to its neighbours.
+std::array<Vector3, 3> SidesOf(
   vtkUnstructuredGrid* grid, const SkdCellReader& reader, vtkIdType voxel, vtkIdList* list)
 {
   std::array<Vector3, 8> corners{};
@@ -65,7 +65,33 @@ std::array<Vector3, 8> CornersOf(
         grid->GetPoint(static_cast<vtkIdType>(ids[i]), corners[i].X);
       }
     });
-  return corners;
+  return { corners[1] - corners[0], corners[2] - corners[0], corners[4] - corners[0] };
+}
+
+Vector3 UnitOf(const Vector3& side)
+{
+  return (1.0 / skd::Norm(side)) * side;
+}
+
+/// The lattice that has the axes of another one, and one voxel; none if its sides have not these.
+std::optional<SkdVoxelLattice> LatticeOf(
+  const std::array<Vector3, 3>& sides, const SkdVoxelLattice& like)
+{
+  constexpr double rounding = 1e-6;
+  SkdVoxelLattice lattice = like;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Vector3& side = sides[static_cast<std::size_t>(axis)];
+    const double size = like.GetCoordinate(side, axis);
+    const double aside = std::abs(like.GetCoordinate(side, (axis + 1) % 3)) +
+      std::abs(like.GetCoordinate(side, (axis + 2) % 3));
+    if (!(size > 0.0) || !(aside <= rounding * size))
+    {
+      return std::nullopt;
+    }
+    lattice.Least[axis] = lattice.Most[axis] = size;
+  }
+  return lattice;
 }
 
 /// Images that cannot be one become voxels where the pieces of processes are joined.
@@ -81,8 +107,15 @@ std::optional<SkdVoxelLattice> LatticeOf(vtkUnstructuredGrid* grid)
     {
       continue;
     }
-    const std::optional<SkdVoxelLattice> lattice =
-      type == VTK_VOXEL ? LatticeOf(CornersOf(grid, reader, cell, list)) : std::nullopt;
+    if (type != VTK_VOXEL)
+    {
+      return std::nullopt;
+    }
+    const std::array<Vector3, 3> sides = SidesOf(grid, reader, cell, list);
+    const SkdVoxelLattice like = all
+      ? *all
+      : SkdVoxelLattice{ DualOf({ UnitOf(sides[0]), UnitOf(sides[1]), UnitOf(sides[2]) }), {}, {} };
+    const std::optional<SkdVoxelLattice> lattice = LatticeOf(sides, like);
     if (!lattice)
     {
       return std::nullopt;
@@ -95,11 +128,15 @@ std::optional<SkdVoxelLattice> LatticeOf(vtkUnstructuredGrid* grid)
 
 bool SkdHasVolumeCells(vtkDataSet* mesh)
 {
-  bool hasVolume = false;
-  const vtkIdType cells = mesh->IsA("vtkPolyData") ? 0 : mesh->GetNumberOfCells();
-  for (vtkIdType cell = 0; cell < cells && !hasVolume; ++cell)
+  if (mesh->IsA("vtkPolyData"))
   {
-    hasVolume = SkdDimensionOfCellType(mesh->GetCellType(cell)) == 3;
+    return false;
+  }
+  const SkdShown shown(mesh, vtkDataObject::CELL);
+  bool hasVolume = false;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells() && !hasVolume; ++cell)
+  {
+    hasVolume = SkdDimensionOfCellType(mesh->GetCellType(cell)) == 3 && shown.Has(cell);
   }
   return hasVolume;
 }
@@ -110,9 +147,20 @@ bool SkdHasVolumeCells(const std::vector<SkdBlock>& blocks)
     [](const SkdBlock& block) { return SkdHasVolumeCells(block.Mesh); });
 }
 
+bool SkdVoxelLattice::HasSameAxes(const SkdVoxelLattice& other) const
+{
+  constexpr double rounding = 1e-9;
+  bool areSame = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    areSame = areSame && skd::Norm2(this->Axes[axis] - other.Axes[axis]) <= rounding * rounding;
+  }
+  return areSame;
+}
+
 SkdVoxelLattice SkdVoxelLattice::With(const SkdVoxelLattice& other) const
 {
-  return { this->Origin, skd::Least(this->Least, other.Least),
+  return { this->Axes, skd::Least(this->Least, other.Least),
     skd::Greatest(this->Most, other.Most) };
 }
 

@@ -6,6 +6,8 @@
 #include "Core/Geometry/Vector.h"
 #include "Pipeline/SkdBlocks.h"
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -14,26 +16,35 @@ class vtkDataSet;
 namespace skdtree
 {
 ///@{
-/// Whether there are volume cells, whose outer faces bound a body. O(cells).
+/// Whether volume cells are shown, whose outer faces bound a body. O(cells).
 bool SkdHasVolumeCells(vtkDataSet* mesh);
 bool SkdHasVolumeCells(const std::vector<SkdBlock>& blocks);
 ///@}
 
-/// A corner of voxels along the axes, and the least and largest of their sizes.
+/// How voxels of one orientation lie, and the least and largest of their sizes.
 struct SkdVoxelLattice
 {
-  skd::Vector3 Origin;
+  /// Products with these are the coordinates along the axes of the voxels.
+  std::array<skd::Vector3, 3> Axes;
   skd::Vector3 Least;
   skd::Vector3 Most;
 
-  /// That of others, too.
+  double GetCoordinate(const skd::Vector3& x, int axis) const
+  {
+    return skd::Dot(this->Axes[static_cast<std::size_t>(axis)], x);
+  }
+
+  /// But for rounding.
+  bool HasSameAxes(const SkdVoxelLattice& other) const;
+
+  /// With the sizes of others, too, that have the same axes.
   SkdVoxelLattice With(const SkdVoxelLattice& other) const;
 
   /// Whether sizes differ by more than rounding: then several voxels may cover a face of another.
   bool HasSeveralSizes() const;
 };
 
-/// Of an image, or of a grid whose volume cells are voxels, both along the axes. O(cells).
+/// Of an image, or of a grid whose volume cells are voxels of one orientation. O(cells).
 std::optional<SkdVoxelLattice> SkdVoxelLatticeOf(vtkDataSet* mesh);
 }
 

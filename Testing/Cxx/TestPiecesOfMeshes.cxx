@@ -107,13 +107,18 @@ vtkSmartPointer<vtkPartitionedDataSet> Partitioned(const Mesh& mesh)
   return partitions;
 }
 
-/// As the second of a collection, after a mesh far away.
-vtkSmartPointer<vtkPartitionedDataSetCollection> InCollection(vtkPartitionedDataSet* partitions)
+GridPointer FarAway()
 {
   Mesh far = Hexahedra(1);
   far.Map([](const Point& x) -> Point { return { x[0] + 100.0, x[1], x[2] }; });
+  return MakeGrid(far);
+}
+
+/// As the second of a collection, after a mesh far away.
+vtkSmartPointer<vtkPartitionedDataSetCollection> InCollection(vtkPartitionedDataSet* partitions)
+{
   auto collection = vtkSmartPointer<vtkPartitionedDataSetCollection>::New();
-  collection->SetPartition(0, 0, MakeGrid(far));
+  collection->SetPartition(0, 0, FarAway());
   collection->SetPartitionedDataSet(1, partitions);
   return collection;
 }
@@ -461,4 +466,98 @@ TEST(PiecesOfImages, MayDifferVeryMuchInSize)
   const auto pairs = MakeOf<vtkSkdTreeSurfaceIntersection>(Ball(0.8), pieces);
   pairs->Update();
   EXPECT_GT(Reported(pairs, "Curves"), 0.0);
+}
+
+namespace
+{
+/// An image of cells of one size, whose axes are those of the matrix: its first point is there,
+/// too.
+vtkSmartPointer<vtkImageData> MakeImage(const Point& origin, const std::array<int, 3>& cells,
+  double size, const std::array<double, 9>& axes = { 1, 0, 0, 0, 1, 0, 0, 0, 1 })
+{
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(cells[0] + 1, cells[1] + 1, cells[2] + 1);
+  image->SetSpacing(size, size, size);
+  image->SetDirectionMatrix(axes.data());
+  Point first{};
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    first[i] = axes[3 * i] * origin[0] + axes[3 * i + 1] * origin[1] + axes[3 * i + 2] * origin[2];
+  }
+  image->SetOrigin(first.data());
+  return image;
+}
+
+vtkSmartPointer<vtkPartitionedDataSet> PartitionsOf(
+  const std::vector<vtkSmartPointer<vtkDataSet>>& pieces)
+{
+  auto partitions = vtkSmartPointer<vtkPartitionedDataSet>::New();
+  for (vtkDataSet* piece : pieces)
+  {
+    partitions->SetPartition(partitions->GetNumberOfPartitions(), piece);
+  }
+  return partitions;
+}
+
+/// Of points, to the surface of the pieces; fails if it has open edges.
+std::vector<double> SignedDistances(
+  const std::vector<Point>& points, const std::vector<vtkSmartPointer<vtkDataSet>>& pieces)
+{
+  const auto filter = MakeOf<vtkSkdTreeClosestPoint>(MakeQueries(points), PartitionsOf(pieces));
+  filter->SignedDistanceOn();
+  filter->Update();
+  EXPECT_EQ(Reported(filter, "OpenEdges"), 0.0);
+  return PointArray(filter->GetOutputDataObject(0), "SkdDistance");
+}
+}
+
+// The cube from 0 to 6 in cells of 3 and of 1.5, with something far away that has nothing to do
+// with it: before or after it.
+TEST(PiecesOfImages, AreOneMeshWhateverOtherPiecesThereAre)
+{
+  const auto hidden = MakeImage({ 1, 1, 1 }, { 1, 1, 1 }, 1.0);
+  MarkGhosts(hidden, { 0 }, vtkDataSetAttributes::HIDDENCELL);
+  const std::vector<vtkSmartPointer<vtkDataSet>> others = {
+    MakeImage({ 100, 0, 0 }, { 1, 1, 1 }, 1.0), MakeImage({ 100.3, 0, 0 }, { 1, 1, 1 }, 1.5),
+    FarAway(), hidden, MakeImage({ 100, 0, 0 }, { 1, 1, 1 }, 1.0, { 0, -1, 0, 1, 0, 0, 0, 0, 1 })
+  };
+  const auto coarse = MakeImage({ 0, 0, 0 }, { 1, 2, 2 }, 3.0);
+  const auto fine = MakeImage({ 3, 0, 0 }, { 2, 4, 4 }, 1.5);
+  for (const auto& other : others)
+  {
+    EXPECT_NEAR(SignedDistances({ { 2.9, 3, 3 } }, { coarse, fine, other })[0], -2.9, 1e-12);
+    EXPECT_NEAR(SignedDistances({ { 2.9, 3, 3 } }, { other, coarse, fine })[0], -2.9, 1e-12);
+  }
+}
+
+// The same cube turned, and mirrored: by the axes of the images.
+TEST(PiecesOfImages, AreOneMeshWithAnyAxes)
+{
+  const double c = std::cos(0.3);
+  const double s = std::sin(0.3);
+  for (const std::array<double, 9>& axes :
+    std::vector<std::array<double, 9>>{ { 0, -1, 0, 1, 0, 0, 0, 0, 1 },
+      { c, -s, 0, s, c, 0, 0, 0, 1 }, { c, -s, 0, s, c, 0, 0, 0, -1 } })
+  {
+    const Point x{ 3.1 * axes[0] + 3 * axes[1] + 3 * axes[2],
+      3.1 * axes[3] + 3 * axes[4] + 3 * axes[5], 3.1 * axes[6] + 3 * axes[7] + 3 * axes[8] };
+    const auto coarse = MakeImage({ 0, 0, 0 }, { 1, 2, 2 }, 3.0, axes);
+    const auto fine = MakeImage({ 3, 0, 0 }, { 2, 4, 4 }, 1.5, axes);
+    EXPECT_NEAR(SignedDistances({ x }, { coarse, fine })[0], -2.9, 1e-12);
+  }
+}
+
+// Two fine images that both cover the same half of a face do not cover it.
+TEST(PiecesOfImages, ThatOverlapDoNotCoverMore)
+{
+  const auto coarse = MakeImage({ 0, 0, 0 }, { 1, 1, 1 }, 2.0);
+  const auto half = MakeImage({ 2, 0, 0 }, { 1, 1, 2 }, 1.0);
+  const auto longer = MakeImage({ 2, 0, 0 }, { 2, 1, 2 }, 1.0);
+  for (const auto& other : { half, longer })
+  {
+    const std::vector<double> distances =
+      SignedDistances({ { 1.9, 1.5, 1 }, { 2.1, 1.5, 1 } }, { coarse, half, other });
+    EXPECT_NEAR(distances[0], -0.1, 1e-12);
+    EXPECT_NEAR(distances[1], 0.1, 1e-12);
+  }
 }
