@@ -3,6 +3,7 @@
 #include "Exchange/SkdFindShape.h"
 
 #include "Cells/Read/SkdCellReader.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkGenericCell.h"
 #include "vtkNew.h"
 
@@ -15,11 +16,13 @@ namespace
 void AddPoints(
   vtkDataSet* piece, const SkdPieceNumbers& numbers, int process, SkdJoinedShape& shape)
 {
+  const SkdShown shown(piece, vtkDataObject::POINT);
   for (std::size_t point = 0; point < numbers.PointIds.size(); ++point)
   {
     const SkdPointOrigin& origin = numbers.PointOrigins[point];
     const auto id = static_cast<vtkIdType>(point);
-    if (numbers.PointIds[point] >= 0 && origin.Process == process && origin.Point == id)
+    if (numbers.PointIds[point] >= 0 && origin.Process == process && origin.Point == id &&
+      shown.Has(id))
     {
       skd::Vector3 x;
       piece->GetPoint(id, x.X);
@@ -31,6 +34,7 @@ void AddPoints(
 void AddCells(vtkDataSet* piece, const SkdPieceNumbers& numbers, SkdJoinedShape& shape)
 {
   const SkdCellReader reader(piece);
+  const SkdShown shown(piece, vtkDataObject::CELL);
   vtkNew<vtkGenericCell> cell;
   int known = VTK_EMPTY_CELL;
   for (std::size_t at = 0; at < numbers.CellIds.size(); ++at)
@@ -38,13 +42,13 @@ void AddCells(vtkDataSet* piece, const SkdPieceNumbers& numbers, SkdJoinedShape&
     const vtkIdType joined = numbers.CellIds[at];
     const auto id = static_cast<vtkIdType>(at);
     const int type = reader.TypeOf(id);
-    if (joined >= 0 && type != known && type != VTK_EMPTY_CELL)
+    if (joined >= 0 && type != known && type != VTK_EMPTY_CELL && shown.Has(id))
     {
       cell->SetCellType(type);
       shape.Dimension = std::max(shape.Dimension, cell->GetCellDimension());
       known = type;
     }
-    if (joined >= 0 && joined < SkdCellsForNormal)
+    if (joined >= 0 && joined < SkdCellsForNormal && shown.Has(id))
     {
       shape.AddNormal(SkdNormalOfCorners(piece, id), joined);
     }

@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdCellReader.h"
 #include "Core/Geometry/Polygons/PolygonPlane.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkFieldData.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
@@ -126,11 +127,16 @@ std::optional<double> SkdRadiusOf(vtkDataSet* mesh)
   const bool isFlat = bounds[0] == bounds[1] || bounds[2] == bounds[3] || bounds[4] == bounds[5];
   const auto isRound = [&shape]()
   { return !(shape.GreatestRadius - shape.LeastRadius > RadiusSpread * shape.GreatestRadius); };
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints() && !isFlat && isRound(); ++i)
+  const SkdShown shown(mesh, vtkDataObject::POINT);
+  vtkIdType looked = 0;
+  for (; looked < mesh->GetNumberOfPoints() && !isFlat && isRound(); ++looked)
   {
-    shape.AddPoint(PointOf(mesh, i));
+    if (shown.Has(looked))
+    {
+      shape.AddPoint(PointOf(mesh, looked));
+    }
   }
-  return shape.Points == mesh->GetNumberOfPoints() ? shape.GetRadius() : std::nullopt;
+  return looked == mesh->GetNumberOfPoints() ? shape.GetRadius() : std::nullopt;
 }
 
 int SkdDimensionOf(vtkDataSet* mesh)
@@ -142,11 +148,12 @@ int SkdDimensionOf(vtkDataSet* mesh)
   int dimension = -1;
   vtkNew<vtkGenericCell> cell;
   const SkdCellReader reader(mesh);
+  const SkdShown shown(mesh, vtkDataObject::CELL);
   int known = -1;
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells() && dimension < 3; ++i)
   {
     const int type = reader.TypeOf(i);
-    if (type != known && type != VTK_EMPTY_CELL)
+    if (type != known && type != VTK_EMPTY_CELL && shown.Has(i))
     {
       cell->SetCellType(type);
       dimension = std::max(dimension, cell->GetCellDimension());
@@ -176,9 +183,13 @@ skd::Vector3 SkdPlaneNormalOf(vtkDataSet* mesh)
     return whole->Normal;
   }
   SkdJoinedShape shape;
+  const SkdShown shown(mesh, vtkDataObject::CELL);
   for (vtkIdType cell = 0; cell < std::min(mesh->GetNumberOfCells(), SkdCellsForNormal); ++cell)
   {
-    shape.AddNormal(SkdNormalOfCorners(mesh, cell), cell);
+    if (shown.Has(cell))
+    {
+      shape.AddNormal(SkdNormalOfCorners(mesh, cell), cell);
+    }
   }
   return shape.Normal;
 }

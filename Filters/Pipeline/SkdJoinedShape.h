@@ -20,7 +20,7 @@ namespace skdtree
 struct SkdJoinedShape
 {
   vtkIdType Points = 0;
-  int Dimension = -1; ///< the largest of its cells
+  int Dimension = -1; ///< the largest of its cells that are shown
   skd::Box3 Bounds;   ///< of the points
   ///@{
   /// Distances of the points from the origin, and the sum and number of those that are positive.
@@ -55,7 +55,7 @@ struct SkdJoinedShape
   ///@}
 };
 
-/// The highest dimension of a mesh's cells, or, if it has a shape, of the whole; -1 if there are
+/// The highest dimension of a mesh's cells that are shown, or, if it has a shape, of the whole; -1 if there are
 /// none.
 int SkdDimensionOf(vtkDataSet* mesh);
 

@@ -3,6 +3,7 @@
 #include "Remap/SkdOverlapSurface.h"
 
 #include "Pipeline/SkdJoinedShape.h"
+#include "Pipeline/SkdShownElements.h"
 #include "Remap/SkdRemapTolerances.h"
 
 #include "Core/Geometry/Box.h"
@@ -27,26 +28,38 @@ Vector3 PointOf(vtkDataSet* data, vtkIdType id)
   return x;
 }
 
+/// Calls visit(x) for each point that is shown.
+template <class Visit>
+void VisitPoints(vtkDataSet* data, const Visit& visit)
+{
+  const SkdShown shown(data, vtkDataObject::POINT);
+  for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id)
+  {
+    if (shown.Has(id))
+    {
+      visit(PointOf(data, id));
+    }
+  }
+}
+
 /// Of points that are finite.
 void AddPoints(skd::Box3& box, vtkDataSet* data)
 {
-  for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id)
-  {
-    const Vector3 x = PointOf(data, id);
-    if (IsFinite(x))
+  VisitPoints(data,
+    [&box](const Vector3& x)
     {
-      box.Add(x);
-    }
-  }
+      if (IsFinite(x))
+      {
+        box.Add(x);
+      }
+    });
 }
 
 double FarthestFrom(vtkDataSet* data, const Vector3& origin, const Vector3& normal)
 {
   double farthest = 0.0;
-  for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id)
-  {
-    farthest = std::max(farthest, std::abs(Dot(PointOf(data, id) - origin, normal)));
-  }
+  VisitPoints(data,
+    [&](const Vector3& x) { farthest = std::max(farthest, std::abs(Dot(x - origin, normal))); });
   return farthest;
 }
 }
@@ -131,12 +144,16 @@ double SkdOverlapSurface::MeanRadiusOf(vtkDataSet* donor)
   const auto whole = SkdJoinedShape::Of(donor);
   double sum = whole ? whole->SumOfRadii : 0.0;
   vtkIdType count = whole ? whole->PointsOffOrigin : 0;
-  for (vtkIdType id = 0; id < donor->GetNumberOfPoints() && !whole; ++id)
+  if (!whole)
   {
-    const double distance = Norm(PointOf(donor, id));
-    const bool isSome = distance > 0.0 && std::isfinite(distance);
-    sum += isSome ? distance : 0.0;
-    count += isSome;
+    VisitPoints(donor,
+      [&](const Vector3& x)
+      {
+        const double distance = Norm(x);
+        const bool isSome = distance > 0.0 && std::isfinite(distance);
+        sum += isSome ? distance : 0.0;
+        count += isSome;
+      });
   }
   const double mean = count > 0 ? sum / static_cast<double>(count) : 1.0;
   // Points of a unit sphere are rounded: their mean is not to scale areas.

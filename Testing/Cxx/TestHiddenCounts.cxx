@@ -5,9 +5,12 @@
 #include "Support/AMRMeshes.h"
 #include "Support/EachFilter.h"
 #include "Support/EventCounter.h"
+#include "Support/MakeOf.h"
 #include "Support/SurfaceMeshes.h"
 
 #include "vtkSkdTreeCellLocator.h"
+#include "vtkSkdTreePointInOut.h"
+#include "vtkSkdTreeRemap.h"
 
 #include <gtest/gtest.h>
 
@@ -124,4 +127,57 @@ TEST(HiddenCells, AreNotCountedAsBroken)
   }
 }
 
+}
+
+// What cells are is asked of those that are shown.
+TEST(HiddenCells, MakeASurfaceNoVolume)
+{
+  Mesh mesh = SphereTriangles(4);
+  const Ids hidden{ static_cast<vtkIdType>(mesh.Cells.size()) };
+  Ids corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners.push_back(mesh.Add({ 5.0 + i % 2, 0.0 + i / 2 % 2, 0.0 + i / 4 }));
+  }
+  mesh.Add(VTK_VOXEL, corners);
+  const GridPointer grid = MakeGrid(mesh);
+  MarkGhosts(grid, hidden, vtkDataSetAttributes::HIDDENCELL);
+  const auto filter = MakeOf<vtkSkdTreePointInOut>(MakeQueries({ { 0.1, 0.0, 0.1 } }), grid);
+  filter->UseOuterFacesOff();
+  EventCounter events(filter);
+  filter->Update();
+  EXPECT_EQ(events.Errors, 0) << events.Error;
+  EXPECT_EQ(Reported(filter, "OuterFaces"), 0.0);
+  EXPECT_EQ(PointArray(filter->GetOutputDataObject(0), "SkdInside"), std::vector<double>{ 1.0 });
+}
+
+TEST(HiddenCells, MakeNoOtherSpaceForRemap)
+{
+  for (const bool isHiddenInInput : { true, false })
+  {
+    const Mesh plane = Sheet(4, VTK_QUAD);
+    Mesh more = plane;
+    const Ids hidden{ static_cast<vtkIdType>(more.Cells.size()) };
+    Ids corners;
+    for (int i = 0; i < 8; ++i)
+    {
+      corners.push_back(more.Add({ 5.0 + i % 2, 0.0 + i / 2 % 2, 0.0 + i / 4 }));
+    }
+    more.Add(VTK_VOXEL, corners);
+    const GridPointer with = MakeGrid(more);
+    MarkGhosts(with, hidden, vtkDataSetAttributes::HIDDENCELL);
+    const GridPointer without = MakeGrid(plane);
+    for (const GridPointer& grid : { with, without })
+    {
+      grid->GetCellData()->AddArray(
+        MakeArray("c", grid->GetNumberOfCells(), [](vtkIdType i) { return 1.0 + i; }));
+    }
+    const auto filter =
+      MakeOf<vtkSkdTreeRemap>(isHiddenInInput ? with : without, isHiddenInInput ? without : with);
+    filter->Update();
+    auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    vtkDataArray* remapped = output->GetCellData()->GetArray("c_Remapped");
+    ASSERT_TRUE(remapped);
+    EXPECT_NEAR(remapped->GetTuple1(3), 4.0, 1e-12);
+  }
 }

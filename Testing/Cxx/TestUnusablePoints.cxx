@@ -145,6 +145,11 @@ TEST(UnusablePointsOf, HiddenCellsAreNotNamed)
     EXPECT_EQ(counter.Messages, 0) << counter.Last;
     vtkFieldData* reports = filter->GetOutputDataObject(0)->GetFieldData();
     EXPECT_FALSE(reports->HasArray("SkdReportPointsNotFinite"));
+    vtkNew<vtkSkdTreeCellLocator> locator;
+    EventCounter events(locator);
+    locator->SetDataSet(mesh);
+    locator->BuildLocator();
+    EXPECT_EQ(events.Warnings, 0) << events.Warning;
     ASSERT_GE(shown, 0);
     mesh->GetCellGhostArray()->SetValue(shown, 0);
     mesh->Modified();

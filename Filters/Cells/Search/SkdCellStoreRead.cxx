@@ -266,11 +266,12 @@ void SkdCellStore::ReadCells(const SkdCellReader& reader, vtkDataSet* data, bool
     {
       const int type = reader.TypeOf(id);
       SkdShape shape = type == usualType ? usual : SkdShapeOfCellType(type);
-      if (!areFinite && !this->ArePointsFinite(ids, size))
+      const bool isKept = selection.Keeps(id, ids, size);
+      if (!areFinite && isKept && !this->ArePointsFinite(ids, size))
       {
         shape = NotFinite;
       }
-      else if (!IsWhole(shape, size) || !selection.Keeps(id, ids, size))
+      else if (!isKept || !IsWhole(shape, size))
       {
         shape = SkdShape::None;
       }
