@@ -151,8 +151,11 @@ void SkdInnerFaces::FindRanks(int lattice)
       const std::size_t end = this->LatticeOf(face) == lattice ? this->FirstGiven[face + 1] : 0;
       for (std::size_t corner = this->FirstGiven[face]; corner < end; ++corner)
       {
-        values.push_back({ voxels.GetCoordinate(this->Given[corner], axis),
-          this->SizeOfPiece[this->PieceOf[face]][axis], corner });
+        if (IsFinite(this->Given[corner]))
+        {
+          values.push_back({ voxels.GetCoordinate(this->Given[corner], axis),
+            this->SizeOfPiece[this->PieceOf[face]][axis], corner });
+        }
       }
     }
     std::sort(
@@ -320,47 +323,42 @@ bool SkdInnerFaces::FindRectangle(std::size_t face, Rectangle& rectangle) const
 {
   const std::size_t begin = this->FirstGiven[face];
   const std::size_t end = this->FirstGiven[face + 1];
-  std::array<int, 3> low = this->GivenPositions[begin].Ranks;
-  std::array<int, 3> high = low;
-  std::array<std::size_t, 3> lowest{ begin, begin, begin };
-  std::array<std::size_t, 3> highest = lowest;
+  const auto rankOf = [&](std::size_t corner, std::size_t axis)
+  { return this->GivenPositions[corner].Ranks[axis]; };
+  std::array<std::size_t, 3> low{ begin, begin, begin }; // corners, by axis
+  std::array<std::size_t, 3> high = low;
+  bool isRectangle = end - begin == 4;
   for (std::size_t corner = begin; corner < end; ++corner)
   {
+    isRectangle = isRectangle && this->GivenPositions[corner].Lattice >= 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const int rank = this->GivenPositions[corner].Ranks[axis];
-      lowest[axis] = rank < low[axis] ? corner : lowest[axis];
-      highest[axis] = rank > high[axis] ? corner : highest[axis];
-      low[axis] = std::min(low[axis], rank);
-      high[axis] = std::max(high[axis], rank);
+      low[axis] = rankOf(corner, axis) < rankOf(low[axis], axis) ? corner : low[axis];
+      high[axis] = rankOf(corner, axis) > rankOf(high[axis], axis) ? corner : high[axis];
     }
   }
-  int flat = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const auto i = static_cast<std::size_t>(axis);
-    rectangle.Axis = low[i] == high[i] ? axis : rectangle.Axis;
-    flat += low[i] == high[i] ? 1 : 0;
-  }
-  if (end - begin != 4 || flat != 1)
+  const auto isFlat = [&](std::size_t axis)
+  { return rankOf(low[axis], axis) == rankOf(high[axis], axis); };
+  const std::size_t across = isFlat(0) ? 0 : isFlat(1) ? 1 : 2;
+  const std::array<std::size_t, 2> along{ (across + 1) % 3, (across + 2) % 3 };
+  if (!isRectangle || !isFlat(across) || isFlat(along[0]) || isFlat(along[1]))
   {
     return false;
   }
   const SkdVoxelLattice& voxels = this->Lattices[static_cast<std::size_t>(this->LatticeOf(face))];
-  const auto across = static_cast<std::size_t>(rectangle.Axis);
   rectangle.Face = face;
-  rectangle.Plane = low[across];
+  rectangle.Axis = static_cast<int>(across);
+  rectangle.Plane = rankOf(begin, across);
   rectangle.IsCellBelow = voxels.GetCoordinate(this->Within[face], rectangle.Axis) <
     voxels.GetCoordinate(this->Given[begin], rectangle.Axis);
   rectangle.Area = 1.0;
   for (std::size_t i = 0; i < 2; ++i)
   {
-    const std::size_t axis = (across + 1 + i) % 3;
-    const int number = static_cast<int>(axis);
-    rectangle.First[i] = low[axis];
-    rectangle.Last[i] = high[axis];
-    rectangle.Area *= voxels.GetCoordinate(this->Given[highest[axis]], number) -
-      voxels.GetCoordinate(this->Given[lowest[axis]], number);
+    const std::size_t axis = along[i];
+    rectangle.First[i] = rankOf(low[axis], axis);
+    rectangle.Last[i] = rankOf(high[axis], axis);
+    rectangle.Area *= voxels.GetCoordinate(
+      this->Given[high[axis]] - this->Given[low[axis]], static_cast<int>(axis));
   }
   return true;
 }

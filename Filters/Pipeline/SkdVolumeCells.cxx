@@ -46,10 +46,10 @@ std::optional<SkdVoxelLattice> LatticeOf(vtkImageData* image)
         image->GetDirectionMatrix()->GetElement(i, axis);
     }
   }
-  const bool isVolume =
-    image->GetDataDimension() == 3 && size[0] > 0.0 && size[1] > 0.0 && size[2] > 0.0;
-  return isVolume ? std::make_optional(SkdVoxelLattice{ DualOf(directions), size, size })
-                  : std::nullopt;
+  const std::array<Vector3, 3> axes = DualOf(directions);
+  const bool isVolume = image->GetDataDimension() == 3 && size[0] > 0.0 && size[1] > 0.0 &&
+    size[2] > 0.0 && IsFinite(axes[0]) && IsFinite(axes[1]) && IsFinite(axes[2]);
+  return isVolume ? std::make_optional(SkdVoxelLattice{ axes, size, size }) : std::nullopt;
 }
 
 /// From the first corner of a voxel to its neighbours.
