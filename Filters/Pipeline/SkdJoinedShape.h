@@ -55,8 +55,8 @@ struct SkdJoinedShape
   ///@}
 };
 
-/// The highest dimension of a mesh's cells that are shown, or, if it has a shape, of the whole; -1 if there are
-/// none.
+/// The highest dimension of a mesh's cells that are shown, or, if it has a shape, of the whole; -1
+/// if there are none.
 int SkdDimensionOf(vtkDataSet* mesh);
 
 /// The mean distance of the points of a mesh or, if it has a shape, of the whole, from the origin
