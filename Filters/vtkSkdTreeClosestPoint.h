@@ -88,7 +88,7 @@ public:
    *
    * Points of equal coordinates are treated as one, and faces between two volume cells, also of
    * different blocks, are not part of the boundary. Faces that do not match are, but for those
-   * between levels of AMR data and between images, or voxels along the axes, of one
+   * between levels of AMR data and between images, or grids of voxels, with the same axes of one
    * vtkPartitionedDataSet: a face that smaller ones cover wholly is not, nor are these. The sign is
    * exact, as with the method AUTOMATIC of vtkSkdTreePointInOut: orientation does not matter, and
    * overlaps of bodies are inside. A surface with open edges (used by an odd number of faces) gives

@@ -10,7 +10,7 @@
  * intersected with itself. Inputs may be any vtkDataSet or composite of them; their surface cells
  * and the outer faces of volume cells are used. AMR data, and the pieces of a
  * vtkPartitionedDataSet, are one mesh: faces between its blocks or pieces are no outer ones, be
- * these of the same level or not, and of images and of voxels along the axes but for rounding.
+ * these of the same level or not, and of images and grids of voxels but for rounding.
  * Other blocks are meshes of their own, and meet where they touch. Cells with more than three
  * points are triangulated without new points (a quad along the shorter of its interior diagonals).
  *

@@ -129,10 +129,11 @@ TEST(HiddenCells, AreNotCountedAsBroken)
 
 }
 
-// What cells are is asked of those that are shown.
-TEST(HiddenCells, MakeASurfaceNoVolume)
+namespace
 {
-  Mesh mesh = SphereTriangles(4);
+/// With a voxel far away that is hidden.
+GridPointer WithHiddenVoxel(Mesh mesh)
+{
   const Ids hidden{ static_cast<vtkIdType>(mesh.Cells.size()) };
   Ids corners;
   for (int i = 0; i < 8; ++i)
@@ -140,8 +141,16 @@ TEST(HiddenCells, MakeASurfaceNoVolume)
     corners.push_back(mesh.Add({ 5.0 + i % 2, 0.0 + i / 2 % 2, 0.0 + i / 4 }));
   }
   mesh.Add(VTK_VOXEL, corners);
-  const GridPointer grid = MakeGrid(mesh);
+  GridPointer grid = MakeGrid(mesh);
   MarkGhosts(grid, hidden, vtkDataSetAttributes::HIDDENCELL);
+  return grid;
+}
+}
+
+// What cells are is asked of those that are shown.
+TEST(HiddenCells, MakeASurfaceNoVolume)
+{
+  const GridPointer grid = WithHiddenVoxel(SphereTriangles(4));
   const auto filter = MakeOf<vtkSkdTreePointInOut>(MakeQueries({ { 0.1, 0.0, 0.1 } }), grid);
   filter->UseOuterFacesOff();
   EventCounter events(filter);
@@ -155,18 +164,8 @@ TEST(HiddenCells, MakeNoOtherSpaceForRemap)
 {
   for (const bool isHiddenInInput : { true, false })
   {
-    const Mesh plane = Sheet(4, VTK_QUAD);
-    Mesh more = plane;
-    const Ids hidden{ static_cast<vtkIdType>(more.Cells.size()) };
-    Ids corners;
-    for (int i = 0; i < 8; ++i)
-    {
-      corners.push_back(more.Add({ 5.0 + i % 2, 0.0 + i / 2 % 2, 0.0 + i / 4 }));
-    }
-    more.Add(VTK_VOXEL, corners);
-    const GridPointer with = MakeGrid(more);
-    MarkGhosts(with, hidden, vtkDataSetAttributes::HIDDENCELL);
-    const GridPointer without = MakeGrid(plane);
+    const GridPointer with = WithHiddenVoxel(Sheet(4, VTK_QUAD));
+    const GridPointer without = MakeGrid(Sheet(4, VTK_QUAD));
     for (const GridPointer& grid : { with, without })
     {
       grid->GetCellData()->AddArray(
