@@ -42,10 +42,13 @@ class Window:
 
     def __init__(self, paraview, work):
         self.sources = pathlib.Path(work, "quick_launch_sources.txt")
-        self.sources.unlink(missing_ok=True)
+        self.start = self.sources.with_suffix(".start")
+        for file in (self.sources, self.start):
+            file.unlink(missing_ok=True)
         self.process = subprocess.Popen(
             [paraview, "--dr", "--script=" + str(HERE / "quick_launch_session.py")],
-            env=dict(os.environ, SKDTREE_SOURCES=str(self.sources)))
+            env=dict(os.environ, SKDTREE_SOURCES=str(self.sources),
+                SKDTREE_START=str(self.start)))
         wait_for("ParaView", lambda: self.pipeline() == ["Ball"])
         self.keyboard = Keyboard()
         time.sleep(2)  # a first start may show its examples
@@ -62,8 +65,9 @@ class Window:
     def launch(self, typed):
         """The name of the filter that is made, or whose inputs a dialog asks for."""
         wait_for("the main window", self.is_on_top)
-        self.sources.unlink()
-        wait_for("the pipeline at the start", lambda: self.pipeline() == ["Ball"])
+        self.start.touch()
+        wait_for("the pipeline at the start", lambda: not self.start.exists())
+        assert self.pipeline() == ["Ball"], self.pipeline()
         self.keyboard.press(" ", CONTROL)
         wait_for("the quick launch", lambda: not self.is_on_top())
         self.keyboard.type(typed)
