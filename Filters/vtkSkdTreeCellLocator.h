@@ -27,8 +27,7 @@
  *   hit. A line of zero length has no hits.
  *   Of a curved cell it is the first of all its hits. Where the line runs along the cell, within
  *   rounding, it may be one that is later, of a straight edge any point of it, and of cells of an
- *   order above 9, which may reach far beyond their points, and of rational cells with weights that
- *   are not positive, a later one or none.
+ *   order above 10, and of rational cells with weights that are not positive, a later one or none.
  * - IntersectWithLine, all hits: each hit cell once, sorted by (t, cell id). A crossing of a shared
  *   edge or vertex is so reported once for each incident cell; FindCrossings merges these.
  * - FindClosestPoint and related methods: the exact nearest point; ties go to the lowest cell id.

@@ -131,11 +131,11 @@ SkdCellPoint SkdGenericKernel::Closest(vtkCell* cell, const skd::Vector3& x, dou
 
 //------------------------------------------------------------------------------
 std::optional<SkdLineHit> SkdGenericKernel::Intersect(
-  vtkCell* cell, const skd::Segment<3>& segment, double tolerance)
+  vtkCell* cell, const skd::Box3& bounds, const skd::Segment<3>& segment, double tolerance)
 {
   if (SkdParametricCell::DomainOf(cell->GetCellType()))
   {
-    return SkdParametricKernel::Intersect(cell, segment, tolerance);
+    return SkdParametricKernel::Intersect(cell, bounds, segment, tolerance);
   }
   if (SkdPiecewiseKernel::Knows(cell->GetCellType()))
   {

@@ -5,6 +5,7 @@
 
 #include "Cells/Kernels/SkdCellAnswers.h"
 #include "Cells/Kernels/SkdCellSource.h"
+#include "Core/Geometry/Box.h"
 #include "Core/Geometry/Segment.h"
 
 #include <limits>
@@ -21,8 +22,9 @@ namespace SkdGenericKernel
 SkdCellPoint Closest(
   vtkCell* cell, const skd::Vector3& x, double limit2 = std::numeric_limits<double>::infinity());
 
+/// `bounds`: of the whole cell, which may reach beyond its points.
 std::optional<SkdLineHit> Intersect(
-  vtkCell* cell, const skd::Segment<3>& segment, double tolerance);
+  vtkCell* cell, const skd::Box3& bounds, const skd::Segment<3>& segment, double tolerance);
 
 /// The sub-id, parametric coordinates and, unless nullptr, weights at a point of the cell found by
 /// Closest: pass in its sub-id and parametric coordinates.

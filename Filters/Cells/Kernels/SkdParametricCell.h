@@ -4,6 +4,7 @@
 #define SkdParametricCell_h
 
 #include "Cells/Kernels/SkdCellAnswers.h"
+#include "Core/Geometry/Box.h"
 #include "Core/Geometry/Cells/ParameterDomain.h"
 #include "Core/Geometry/Segment.h"
 
@@ -78,9 +79,10 @@ SkdCellPoint Closest(
   vtkCell* cell, const skd::Vector3& x, double limit2 = std::numeric_limits<double>::infinity());
 
 /// The first place where the segment comes within the tolerance, or within rounding, of the cell,
-/// of a volume of its sides: a crossing, or where it is nearest for once.
+/// of a volume of its sides: a crossing, or where it is nearest for once. `bounds`: of the whole
+/// cell, which may reach beyond its points.
 std::optional<SkdLineHit> Intersect(
-  vtkCell* cell, const skd::Segment<3>& segment, double tolerance);
+  vtkCell* cell, const skd::Box3& bounds, const skd::Segment<3>& segment, double tolerance);
 }
 }
 

@@ -32,21 +32,18 @@ struct LineInterval
   }
 };
 
+/// `bounds`: of the cell.
 std::optional<LineInterval> IntervalNear(
-  const SkdParametricCell& cell, const skd::Vector3& direction, double tolerance)
+  const skd::Box3& bounds, const skd::Segment<3>& segment, double tolerance)
 {
-  skd::Box3 box;
-  for (int i = 0; i < cell.NumberOfPoints(); ++i)
-  {
-    box.Add(cell.Point(i));
-  }
-  const skd::Segment<3> whole{ { { 0.0, 0.0, 0.0 } }, direction };
-  const double around = 3.0 * skd::Norm(box.Max - box.Min) + tolerance + cell.Rounding();
-  const auto inside = skd::Clip(whole, box.Inflated(around));
+  // The interval's ends are rounded.
+  const double around = tolerance + skd::Norm(bounds.Max - bounds.Min);
+  const auto inside = skd::Clip(segment, bounds.Inflated(around));
   if (!inside)
   {
     return std::nullopt;
   }
+  const skd::Vector3 direction = segment.B - segment.A;
   return LineInterval{ inside->Min * direction, (inside->Max - inside->Min) * direction, *inside };
 }
 
@@ -348,11 +345,11 @@ private:
 
 //------------------------------------------------------------------------------
 std::optional<SkdLineHit> SkdParametricKernel::Intersect(
-  vtkCell* cell, const skd::Segment<3>& segment, double tolerance)
+  vtkCell* cell, const skd::Box3& bounds, const skd::Segment<3>& segment, double tolerance)
 {
   const SkdParametricCell map(cell, segment.A);
   const double maxDistance = std::max(tolerance, map.Rounding());
-  const auto interval = IntervalNear(map, segment.B - segment.A, maxDistance);
+  const auto interval = IntervalNear(bounds, segment, maxDistance);
   if (!interval)
   {
     return std::nullopt;

@@ -181,7 +181,8 @@ void SkdCellTree::AddTransitions(std::uint32_t cell, const skd::Segment<3>& segm
   double maxDistance, const SkdCellSource& source, std::vector<double>& parameters) const
 {
   constexpr int Samples = 32;
-  const auto inside = skd::Clip(segment, this->Store.ExtentOf(cell).Inflated(maxDistance));
+  const skd::Box3 extent = this->Store.ExtentOf(cell);
+  const auto inside = skd::Clip(segment, extent.Inflated(maxDistance));
   if (!inside)
   {
     return;
@@ -204,8 +205,8 @@ void SkdCellTree::AddTransitions(std::uint32_t cell, const skd::Segment<3>& segm
     wasIn = isNextIn;
   }
   vtkCell* loaded = source.Load(this->Store.IdOf(cell));
-  const auto hit = SkdGenericKernel::Intersect(loaded, segment, 0.0);
-  const auto back = SkdGenericKernel::Intersect(loaded, { segment.B, segment.A }, 0.0);
+  const auto hit = SkdGenericKernel::Intersect(loaded, extent, segment, 0.0);
+  const auto back = SkdGenericKernel::Intersect(loaded, extent, { segment.B, segment.A }, 0.0);
   parameters.insert(parameters.end(), { inside->Min, inside->Max });
   parameters.push_back(hit ? hit->T : inside->Min);
   parameters.push_back(back ? 1.0 - back->T : inside->Max);

@@ -163,7 +163,7 @@ std::optional<SkdLineHit> SkdCellTree::Hit(std::uint32_t cell, const skd::Segmen
     return SkdPolyKernels::Intersect(this->Store.GatherPoly(cell), view, maxDistance);
   }
   return SkdGenericKernel::Intersect(
-    source.Load(this->Store.IdOf(cell)), view.GetSegment(), tolerance);
+    source.Load(this->Store.IdOf(cell)), this->Store.ExtentOf(cell), view.GetSegment(), tolerance);
 }
 
 //------------------------------------------------------------------------------
@@ -421,7 +421,9 @@ void SkdCellTree::ForEachFacet(
     {
       vtkCell* loaded = source.Load(this->Store.IdOf(cell));
       const bool isSurface = loaded->GetCellDimension() == 2;
-      const auto hit = isSurface ? SkdGenericKernel::Intersect(loaded, segment, 0.0) : std::nullopt;
+      const auto hit = isSurface
+        ? SkdGenericKernel::Intersect(loaded, this->Store.ExtentOf(cell), segment, 0.0)
+        : std::nullopt;
       if (hit)
       {
         take(cell, Facet{ hit->T, false, true }, [] { return 0; });
