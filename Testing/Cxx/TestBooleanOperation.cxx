@@ -382,6 +382,18 @@ TEST(BooleanOperation, ImprintKeepsAllFacesOnce)
   EXPECT_GT(sheets->GetNumberOfCells(), 8);
 }
 
+TEST(BooleanOperation, AnImprintOfAnOpenSurfaceAndASolidHasAllFaces)
+{
+  const auto sheet = MakePolyData(Transformed(Sheet(2, VTK_TRIANGLE), 1, { 0.3, 0.2, 0.5 }));
+  const auto solid = Cube(1, { 0, 0, 0 });
+  for (const bool isFirst : { true, false })
+  {
+    const auto output =
+      isFirst ? Combine(sheet, solid, Filter::IMPRINT) : Combine(solid, sheet, Filter::IMPRINT);
+    EXPECT_GT(output->GetNumberOfCells(), sheet->GetNumberOfCells() + solid->GetNumberOfCells());
+  }
+}
+
 TEST(BooleanOperation, PolygonsStayUnlessTheyAreCut)
 {
   auto a = MakePolyData(Transformed(CubeQuads(4), 1, { 0, 0, 0 }));

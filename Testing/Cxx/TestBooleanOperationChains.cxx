@@ -137,6 +137,24 @@ GridCells CombineCells(const GridCells& a, const GridCells& b, int operation)
   return operation == Filter::UNION ? a | b : operation == Filter::DIFFERENCE ? a & ~b : a ^ b;
 }
 
+/// How many sides of cells bound them.
+int AreaOf(const GridCells& cells)
+{
+  constexpr int steps[] = { 1, GridSize, GridSize * GridSize };
+  int sides = 0;
+  for (int cell = 0; cell < static_cast<int>(cells.size()); ++cell)
+  {
+    for (const int step : steps)
+    {
+      const auto isAt = [&](int other) { return cells[static_cast<std::size_t>(other)]; };
+      const int at = cell / step % GridSize;
+      sides += isAt(cell) && (at == 0 || !isAt(cell - step));
+      sides += isAt(cell) && (at == GridSize - 1 || !isAt(cell + step));
+    }
+  }
+  return sides;
+}
+
 /// By a matrix of thirds, whose results are rounded.
 Point Turned(const Point& p)
 {
@@ -167,9 +185,52 @@ TEST(BooleanOperationChains, OfTurnedBoxesThatTouch)
       filter->SetOperation(operation);
       made = RunClosed(filter);
       EXPECT_NEAR(Reported(made, "Volume"), static_cast<double>(cells.count()), 1e-11);
+      EXPECT_NEAR(Reported(made, "Area"), AreaOf(cells), 1e-11); // there are no walls between them
       most = std::max(most, made->GetNumberOfCells());
     }
     EXPECT_LT(most, 450);
+  }
+}
+
+/// Two boxes with faces in one plane, and what an operation on them has.
+struct Touching
+{
+  const char* Name;
+  int Operation;
+  Point High; // of the first, from the origin
+  Point Low2, High2;
+  double Volume, Area;
+};
+
+/// Where a face of one box is in that of another but for rounding, it may be off it all around: no
+/// edges cross, and no points are shared.
+TEST(BooleanOperationChains, TurnedBoxesThatTouchLeaveNoWalls)
+{
+  const Touching all[] = {
+    { "on the middle of a face", Filter::UNION, { 2, 2, 2 }, { 0.5, 2, 0.5 }, { 1.5, 3, 1.5 }, 9,
+      28 },
+    { "on a face, flush with its rim", Filter::UNION, { 2, 2, 2 }, { 0.5, 2, 0.5 }, { 1.5, 3, 2 },
+      9.5, 29 },
+    { "a pocket", Filter::DIFFERENCE, { 2, 2, 2 }, { 0.5, 1, 0.5 }, { 1.5, 2, 1.5 }, 7, 28 },
+    { "a notch along an edge", Filter::DIFFERENCE, { 2, 2, 2 }, { 0, 1, 0 }, { 2, 2, 1 }, 6, 22 },
+    { "a half", Filter::DIFFERENCE, { 2, 2, 2 }, { 0, 1, 0 }, { 2, 2, 2 }, 4, 16 },
+    { "more than an end", Filter::DIFFERENCE, { 2, 3, 2 }, { 0, 0, 0 }, { 3, 1, 2 }, 8, 24 },
+  };
+  Random random(77);
+  for (int turn = 0; turn < Amount(40); ++turn)
+  {
+    const RandomRotation rotation(random, false);
+    for (const Touching& c : all)
+    {
+      SCOPED_TRACE(std::to_string(turn) + ": " + c.Name);
+      vtkNew<Filter> filter;
+      filter->SetInputData(MakePolyData(BoxTriangles({ 0, 0, 0 }, c.High).Map(rotation)));
+      filter->SetSourceData(MakePolyData(BoxTriangles(c.Low2, c.High2).Map(rotation)));
+      filter->SetOperation(c.Operation);
+      const Surface made = RunClosed(filter);
+      EXPECT_NEAR(Reported(made, "Volume"), c.Volume, 1e-12);
+      EXPECT_NEAR(Reported(made, "Area"), c.Area, 1e-12);
+    }
   }
 }
 }

@@ -83,7 +83,7 @@ void ReportInputs(const SkdSolidArrangement& solids, const SkdBooleanRule& rule,
     { return areInputs ? rule.IsInside(windings, 0) : rule.CountSolids(windings) > 0; };
     ReportMeasures("Input", solids.Measure(isInput), report);
   }
-  if (areInputs && !solids.GetCombined() && !solids.IsSheet(1))
+  if (solids.HasWindings() && areInputs && !solids.GetCombined() && !solids.IsSheet(1))
   {
     const auto isSource = [&](const SkdRegionWindings& windings)
     { return rule.IsInside(windings, 1); };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdBorderCrossings.h"
 
+#include "Core/Geometry/DisjointSets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -49,6 +51,10 @@ public:
 
   std::optional<SkdRoundedFacets> Split(const SkdFacetSigns& signs)
   {
+    if (!this->Equal.empty())
+    {
+      return this->UniteEqual(signs);
+    }
     if (this->Cuts.empty())
     {
       return std::nullopt;
@@ -86,6 +92,10 @@ private:
 
   void Meet(const BorderEdge& a, const BorderEdge& b, const skd::Vector3& normal)
   {
+    if (a.From != b.From && Norm(this->At(a.From) - this->At(b.From)) <= this->Tolerance)
+    {
+      this->Equal.emplace_back(a.From, b.From);
+    }
     const Ends first = EndsOf(a.From, a.To);
     const Ends second = EndsOf(b.From, b.To);
     const bool isSplit = this->CutAt(first, second.first) | this->CutAt(first, second.second) |
@@ -145,6 +155,37 @@ private:
     this->Positions.push_back(x);
     this->Cuts[a].emplace_back(Norm(x - from), number);
     this->Cuts[b].emplace_back(Norm(x - this->At(b.first)), number);
+  }
+
+  /// The boundary with points that are one but for rounding as one.
+  SkdRoundedFacets UniteEqual(const SkdFacetSigns& signs) const
+  {
+    skd::DisjointSets<> points(this->First);
+    for (const auto& [first, second] : this->Equal)
+    {
+      points.Unite(first, second);
+    }
+    std::vector<std::uint32_t> lowest(this->First);
+    for (std::uint32_t point = 0; point < this->First; ++point)
+    {
+      lowest[point] = points.Find(point);
+    }
+    SkdRoundedFacets united =
+      SkdUniteEqualPoints(SkdMakeRounded(this->Facets, signs), lowest, false);
+    std::size_t count = 0;
+    for (std::size_t facet = 0; facet < united.Signs.size(); ++facet)
+    {
+      if (united.Signs[facet] != 0)
+      {
+        united.Facets.Corners[count] = united.Facets.Corners[facet];
+        united.Facets.Parents[count] = united.Facets.Parents[facet];
+        united.Signs[count++] = united.Signs[facet];
+      }
+    }
+    united.Facets.Corners.resize(count);
+    united.Facets.Parents.resize(count);
+    united.Signs.resize(count);
+    return united;
   }
 
   //----------------------------------------------------------------------------
@@ -225,10 +266,11 @@ private:
 
   const SkdMovedTriangles& Set;
   const SkdFacets& Facets;
-  double Tolerance = 0.0;              // of the points of two parts
-  const std::uint32_t First;           // new point
-  std::vector<skd::Vector3> Positions; // of new points
-  std::vector<bool> IsAdded;           // these
+  double Tolerance = 0.0;                                     // of the points of two parts
+  const std::uint32_t First;                                  // new point
+  std::vector<skd::Vector3> Positions;                        // of new points
+  std::vector<bool> IsAdded;                                  // these
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> Equal; // points, but for rounding
   std::map<Ends, std::vector<Cut>> Cuts;
   std::map<std::pair<Ends, Ends>, std::uint32_t> Crossings; // of edges, the new point
 };

@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdForEach.h"
 #include "Solids/Boolean/SkdBorderCrossings.h"
+#include "Solids/Boolean/SkdFacingFacets.h"
 #include "Solids/Boolean/SkdFlatFace.h"
 #include "Solids/Boolean/SkdOppositeParts.h"
 #include "Solids/Boolean/SkdRoundedPlane.h"
@@ -35,11 +36,12 @@ class Joiner
 {
 public:
   Joiner(const SkdPlacement& placement, const SkdFacets& facets, const SkdFacetSigns& signs,
-    const std::vector<std::uint32_t>& origins, SkdFaceSets& faces)
+    const std::vector<std::uint32_t>& origins, SkdFaceSets& faces, const std::vector<Pair>& facing)
     : Set(placement.First)
     , Facets(facets)
     , Signs(signs)
-    , Parts(placement.First, facets, signs, origins, faces)
+    , Facing(facing)
+    , Parts(placement.First, facets, signs, origins, faces, facing)
   {
   }
 
@@ -51,8 +53,8 @@ public:
     const auto areApart = [&](std::uint32_t a, std::uint32_t b) {
       return std::find(apart.begin(), apart.end(), this->FacetsOf({ a, b })) != apart.end();
     };
-    this->Opposite =
-      SkdFindOppositeParts(this->Set, this->Facets, this->Signs, this->Parts, faces, areApart);
+    this->Opposite = SkdFindOppositeParts(
+      this->Set, this->Facets, this->Signs, this->Parts, faces, this->Facing, areApart);
     return SkdSplitBorders(this->Set, this->Facets, this->Signs, this->Parts, this->Opposite);
   }
 
@@ -416,6 +418,7 @@ private:
   const SkdMovedTriangles& Set;
   const SkdFacets& Facets;
   const SkdFacetSigns& Signs;
+  const std::vector<Pair>& Facing;
   SkdPieceParts Parts;
   std::vector<Pair> Opposite;   // parts
   std::vector<Pair> Merged;     // facets, see FacetsOf
@@ -435,10 +438,12 @@ struct Joined
 Joined JoinOnce(const SkdPlacement& placement, const SkdFacets& facets, const SkdFacetSigns& signs,
   const std::vector<std::uint32_t>& origins, SkdFaceSets& faces)
 {
+  const std::vector<Pair> facing =
+    SkdFindFacingFacets(placement.First, facets, signs, origins, faces);
   std::vector<Pair> apart;
   while (true)
   {
-    Joiner joiner(placement, facets, signs, origins, faces);
+    Joiner joiner(placement, facets, signs, origins, faces, facing);
     if (auto split = joiner.FindOpposite(faces, apart))
     {
       return { std::move(split), true };

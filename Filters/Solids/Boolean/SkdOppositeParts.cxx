@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdOppositeParts.h"
 
+#include "Solids/Boolean/SkdFacingFacets.h"
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -16,12 +19,13 @@ class OppositeParts
 {
 public:
   OppositeParts(const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
-    const SkdPieceParts& parts, const SkdFaceSets& faces)
+    const SkdPieceParts& parts, const SkdFaceSets& faces, const std::vector<Pair>& facing)
     : Set(set)
     , Facets(facets)
     , Signs(signs)
     , Parts(parts)
     , Faces(faces)
+    , Facing(facing)
   {
     for (std::uint32_t part = 0; part < parts.GetNumberOfParts(); ++part)
     {
@@ -56,12 +60,18 @@ private:
     return (this->Signs[facet] / Norm(normal)) * normal;
   }
 
-  /// Parts that meet at a point and face opposite ways, or nearly, each pair once.
+  /// Parts that meet at a point and face opposite ways, or nearly, and those of the facets that are
+  /// known to face each other, each pair once.
   std::vector<Pair> ListParallel() const
   {
     constexpr double least = -1.0 + 1e-6;
     constexpr std::size_t most = 64; // parts, which are compared with each other
     std::vector<Pair> pairs;
+    for (const auto& [first, second] : this->Facing)
+    {
+      pairs.push_back(
+        std::minmax({ this->Parts.GetPartOfFacet(first), this->Parts.GetPartOfFacet(second) }));
+    }
     const std::vector<SkdPieceParts::BorderEdge>& border = this->Parts.GetBorder();
     for (std::size_t begin = 0, end = 0; begin < border.size(); begin = end)
     {
@@ -105,7 +115,7 @@ private:
       [&](const Triangle& first)
       {
         return std::any_of(ofB.begin(), ofB.end(),
-          [&](const Triangle& second) { return DoOverlap(first, second, normal, tolerance); });
+          [&](const Triangle& second) { return SkdDoOverlap(first, second, normal, tolerance); });
       });
   }
 
@@ -119,46 +129,21 @@ private:
     return triangles;
   }
 
-  /// By more than the tolerance, as seen along the normal.
-  static bool DoOverlap(
-    const Triangle& a, const Triangle& b, const skd::Vector3& normal, double tolerance)
-  {
-    return !IsBesideAnEdge(a, b, normal, tolerance) && !IsBesideAnEdge(b, a, normal, tolerance);
-  }
-
-  /// Whether b is outside of a along one of its edges.
-  static bool IsBesideAnEdge(
-    const Triangle& a, const Triangle& b, const skd::Vector3& normal, double tolerance)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const skd::Vector3 edge = a[(i + 1) % 3] - a[i];
-      const skd::Vector3 across = Cross(normal, edge);
-      const double inside = Dot(across, a[(i + 2) % 3] - a[i]) < 0.0 ? -1.0 : 1.0;
-      const double most = tolerance * Norm(across);
-      const auto isOutside = [&](const skd::Vector3& x)
-      { return inside * Dot(across, x - a[i]) <= most; };
-      if (std::all_of(b.begin(), b.end(), isOutside))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
   const SkdMovedTriangles& Set;
   const SkdFacets& Facets;
   const SkdFacetSigns& Signs;
   const SkdPieceParts& Parts;
   const SkdFaceSets& Faces;
+  const std::vector<Pair>& Facing;
   std::vector<skd::Vector3> Normals; // of each part
 };
 }
 
 std::vector<Pair> SkdFindOppositeParts(const SkdMovedTriangles& set, const SkdFacets& facets,
   const SkdFacetSigns& signs, const SkdPieceParts& parts, const SkdFaceSets& faces,
+  const std::vector<Pair>& facing,
   const std::function<bool(std::uint32_t, std::uint32_t)>& areApart)
 {
-  return OppositeParts(set, facets, signs, parts, faces).Find(areApart);
+  return OppositeParts(set, facets, signs, parts, faces, facing).Find(areApart);
 }
 }

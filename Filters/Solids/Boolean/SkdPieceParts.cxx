@@ -45,14 +45,15 @@ std::vector<Item> ListByPoint(
 
 //------------------------------------------------------------------------------
 SkdPieceParts::SkdPieceParts(const SkdMovedTriangles& set, const SkdFacets& facets,
-  const SkdFacetSigns& signs, const std::vector<std::uint32_t>& origins, SkdFaceSets& faces)
+  const SkdFacetSigns& signs, const std::vector<std::uint32_t>& origins, SkdFaceSets& faces,
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& facing)
   : Set(set)
   , Facets(facets)
   , Signs(signs)
   , Origins(origins)
   , Faces(faces)
 {
-  this->ListPieces();
+  this->ListPieces(facing);
   if (!this->Pieces.empty())
   {
     this->ListUses();
@@ -110,8 +111,8 @@ const SkdPieceParts::BorderEdge* SkdPieceParts::FindNext(
 }
 
 //------------------------------------------------------------------------------
-/// The facets in the boundary of faces that are cut.
-void SkdPieceParts::ListPieces()
+/// The facets in the boundary of faces that are cut, or so taken.
+void SkdPieceParts::ListPieces(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& facing)
 {
   const auto n = static_cast<std::uint32_t>(this->Signs.size());
   std::vector<bool> isCut(this->Faces.GetNumberOfTriangles(), false);
@@ -121,6 +122,11 @@ void SkdPieceParts::ListPieces()
     {
       isCut[this->Faces.Find(this->GetOriginOf(facet) / 2)] = true;
     }
+  }
+  for (const auto& [first, second] : facing)
+  {
+    isCut[this->Faces.Find(this->GetOriginOf(first) / 2)] = true;
+    isCut[this->Faces.Find(this->GetOriginOf(second) / 2)] = true;
   }
   for (std::uint32_t facet = 0; facet < n; ++facet)
   {

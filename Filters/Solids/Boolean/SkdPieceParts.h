@@ -11,8 +11,8 @@
 
 namespace skdtree
 {
-/// The pieces in a boundary of faces that are cut, the connected parts of one face that they are,
-/// and the edges around these. O(n log n) for n pieces.
+/// The pieces in a boundary of faces that are cut, and of some others, the connected parts of one
+/// face that they are, and the edges around these. O(n log n) for n pieces.
 class SkdPieceParts
 {
 public:
@@ -33,9 +33,11 @@ public:
     }
   };
 
-  /// `origins` as for SkdJoinPieces.
+  /// `origins` as for SkdJoinPieces. The faces of `facing` facets are looked at as if they were
+  /// cut.
   SkdPieceParts(const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
-    const std::vector<std::uint32_t>& origins, SkdFaceSets& faces);
+    const std::vector<std::uint32_t>& origins, SkdFaceSets& faces,
+    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& facing);
 
   /// Makes the parts of each pair one: they lie in one plane and face opposite ways.
   void Merge(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
@@ -45,6 +47,11 @@ public:
 
   const std::vector<std::uint32_t>& GetPieces() const { return this->Pieces; } ///< facets
   std::uint32_t GetPartOf(std::uint32_t piece) const { return this->PartOf[piece]; }
+  std::uint32_t GetPartOfFacet(std::uint32_t facet) const
+  {
+    const auto at = std::lower_bound(this->Pieces.begin(), this->Pieces.end(), facet);
+    return this->PartOf[static_cast<std::size_t>(at - this->Pieces.begin())];
+  }
   std::size_t GetNumberOfParts() const { return this->PiecesOf.size(); }
   skd::IndexRows::Row GetPiecesOf(std::uint32_t part) const { return this->PiecesOf[part]; }
   bool IsMerged(std::uint32_t part) const
@@ -131,7 +138,7 @@ private:
   {
     return this->Set.GetPoints().size() + this->Facets.NewPoints.size();
   }
-  void ListPieces();
+  void ListPieces(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& facing);
   void ListUses();
   void FindParts();
   void FindBorder();
