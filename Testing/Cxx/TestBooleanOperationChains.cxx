@@ -204,7 +204,7 @@ struct Touching
 
 /// Where a face of one box is in that of another but for rounding, it may be off it all around: no
 /// edges cross, and no points are shared.
-TEST(BooleanOperationChains, TurnedBoxesThatTouchLeaveNoWalls)
+TEST(BooleanOperationChains, TurnedBoxesThatTouchLeaveNoGaps)
 {
   const Touching all[] = {
     { "on the middle of a face", Filter::UNION, { 2, 2, 2 }, { 0.5, 2, 0.5 }, { 1.5, 3, 1.5 }, 9,

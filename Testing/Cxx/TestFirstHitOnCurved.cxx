@@ -222,14 +222,14 @@ INSTANTIATE_TEST_SUITE_P(Bent, FirstHitOnCurved, testing::ValuesIn(AllCases()));
 /// Every other line is nearly tangent to a side.
 LineAxes RandomLine(const BentCell& c, const SampledSide& side, bool isTangent, Random& random)
 {
-  const double reach = 2 * c.Far;
+  const double halfLength = 2 * c.Far;
   if (!isTangent)
   {
     const double depth = DimensionOf(c.Type) == 2 ? 0.2 : 1;
     const Point p =
       random.InBox({ 0, 1, 0, 1, depth - 1, depth }) + Point{ c.Offset, c.Offset, c.Offset };
     const Point along = random.Direction();
-    return { c.Scale * (p - reach * along), c.Scale * (p + reach * along) };
+    return { c.Scale * (p - halfLength * along), c.Scale * (p + halfLength * along) };
   }
   constexpr double h = 1e-4;
   const double r = random.Between(0.05, 0.9);
@@ -241,7 +241,7 @@ LineAxes RandomLine(const BentCell& c, const SampledSide& side, bool isTangent, 
   const Point along = random.Between(-1, 1) * ofR + random.Between(-1, 1) * ofS;
   const double beside = (random.Index(2) == 0 ? 1e-3 : -1e-3) * random.Between(1, 10);
   const Point start = x + (c.Scale * beside / Length(normal)) * normal;
-  const Point step = (reach * c.Scale / Length(along)) * along;
+  const Point step = (halfLength * c.Scale / Length(along)) * along;
   return { start - step, start + step };
 }
 
