@@ -200,8 +200,8 @@ void SkdOverlapReader::AddHull(Faces faces)
 
 //------------------------------------------------------------------------------
 // About the mean of the corners, and of each face of more than three about its own: both cells of a
-// face cut it alike. In simplices of the mesh's points about the first corner, and faces that are
-// flat as well: then it does not matter how they are cut.
+// face cut it alike. In simplices of the mesh's points about the corner with the least coordinates,
+// and faces that are flat as well: whatever order the points have in this mesh or in a piece of it.
 void SkdOverlapReader::AddTetrahedra(const Faces& faces)
 {
   const bool isOfPoints = this->Reading.IntoSimplices;
@@ -223,15 +223,22 @@ void SkdOverlapReader::AddTetrahedra(const Faces& faces)
   {
     all.push_back(i);
   }
-  const Corner apex = isOfPoints ? this->CellPoints[0] : meanOf(all);
+  const auto findLeast = [this](const std::vector<int>& numbers)
+  {
+    return std::min_element(numbers.begin(), numbers.end(),
+      [this](int a, int b) { return this->CellPoints[a].X < this->CellPoints[b].X; });
+  };
+  const Corner apex = isOfPoints ? this->CellPoints[*findLeast(all)] : meanOf(all);
   for (const std::vector<int>& face : faces)
   {
     const bool isFan = face.size() == 3 || (isOfPoints && IsFlat(this->CellPoints, face));
-    const Corner middle = isFan ? this->CellPoints[face[0]] : meanOf(face);
+    const auto first = static_cast<std::size_t>(isFan ? findLeast(face) - face.begin() : 0);
+    const auto cornerAt = [&](std::size_t i) -> const Corner&
+    { return this->CellPoints[face[(first + i) % face.size()]]; };
+    const Corner middle = isFan ? cornerAt(0) : meanOf(face);
     for (std::size_t i = isFan ? 1 : 0; i + (isFan ? 1 : 0) < face.size(); ++i)
     {
-      this->AddSigned(
-        apex, middle, this->CellPoints[face[i]], this->CellPoints[face[(i + 1) % face.size()]]);
+      this->AddSigned(apex, middle, cornerAt(i), cornerAt(i + 1));
     }
   }
 }

@@ -208,6 +208,46 @@ TEST(Remap, PointDataAreIntegratedAsLinearBetweenThePoints)
   EXPECT_NEAR(sum, 1.0, 1e-13);
 }
 
+/// As pieces of a mesh may have them.
+TEST(Remap, PointDataOfPolyhedraDoNotDependOnTheOrderOfTheirPoints)
+{
+  const auto remapped = [](std::size_t factor)
+  {
+    const Mesh hexahedra = Hexahedra(2);
+    const auto numberOf = [factor](std::size_t point) { return factor * point % 27; };
+    Mesh mesh;
+    mesh.Points.resize(27);
+    for (std::size_t point = 0; point < 27; ++point)
+    {
+      mesh.Points[numberOf(point)] = hexahedra.Points[point];
+    }
+    for (const CellSpec& cell : hexahedra.Cells)
+    {
+      Ids corners;
+      for (const vtkIdType corner : cell.Points)
+      {
+        corners.push_back(static_cast<vtkIdType>(numberOf(static_cast<std::size_t>(corner))));
+      }
+      mesh.Cells.push_back({ VTK_POLYHEDRON, PolyhedronOf(corners) });
+    }
+    const GridPointer grid = MakeGrid(Transformed(mesh, 0.5, { 0, 0, 0 }));
+    grid->GetPointData()->AddArray(MakeArray("f", grid->GetNumberOfPoints(),
+      [&](vtkIdType i)
+      {
+        const Point& x = mesh.Points[static_cast<std::size_t>(i)];
+        return std::sin(7.0 * x[0] + 5.0 * x[1] + 3.0 * x[2]);
+      }));
+    return RemappedCells(MakeRemap(Bricks(3), grid, Remap::CONSERVATIVE_FIRST_ORDER), "f");
+  };
+  const std::vector<double> values = remapped(1);
+  const std::vector<double> others = remapped(7);
+  ASSERT_EQ(values.size(), 27u);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    EXPECT_NEAR(values[i], others[i], 1e-14) << i;
+  }
+}
+
 TEST(Remap, ArraysOfCellsAndPointsWithOneNameAreReportedApart)
 {
   const GridPointer tetra = WithData(MakeGrid(Transformed(Tetrahedra(3), 1.0 / 3.0, { 0, 0, 0 })));
