@@ -248,4 +248,40 @@ TEST(ConstrainedTriangulation, WithoutSegmentsItIsDelaunay)
   }
 }
 
+/// How often signs are asked for to make an edge across a fan, whose edges can only be flipped one
+/// after the other, the one that is crossed last at first.
+long CountSigns(int crossed)
+{
+  auto points = BigTriangle(1000000);
+  for (int i = 1; i <= crossed; ++i)
+  {
+    points.push_back({ 1000 * i, 0 });
+  }
+  points.push_back({ 1000 * crossed + 500, 1 });
+  long count = 0;
+  const auto orient = [&points, &count](int a, int b, int c)
+  {
+    ++count;
+    const long long area = AreaOf(points[a], points[b], points[c]);
+    return (area > 0) - (area < 0);
+  };
+  const auto isBetter = [](int, int, int, int) { return false; };
+  skd::ConstrainedTriangulation<decltype(orient), decltype(isBetter)> made(
+    static_cast<int>(points.size()), orient, isBetter);
+  for (int i = 0; i < crossed; ++i)
+  {
+    made.AddOnBorder(3 + i, i == 0 ? 0 : 2 + i, 1);
+  }
+  made.Add(3 + crossed);
+  count = 0;
+  made.Constrain(0, 3 + crossed);
+  EXPECT_TRUE(HasEdge(CheckAndGetEdges(made, points), 0, 3 + crossed));
+  return count;
+}
+
+TEST(ConstrainedTriangulation, AnEdgeCostsWhatItCrosses)
+{
+  EXPECT_LT(CountSigns(800), 3 * CountSigns(400));
+}
+
 }

@@ -278,6 +278,24 @@ void CountUnionOfRods()
   CountInstructions("union of rods", [&] { filter->Update(); });
 }
 
+/// Of a long plate and boxes that cut slits into it: one triangle is cut by all.
+void CountSlits()
+{
+  Mesh slits;
+  const int count = 400;
+  for (int i = 0; i < count; ++i)
+  {
+    skdtest::Append(slits, Transformed(CubeTriangles(1), 1.0, { 2.0 * i + 0.5, 0.5, -0.3 }));
+  }
+  Mesh plate = CubeTriangles(1);
+  plate.Map([count](const Point& p) { return Point{ 2.0 * count * p[0], p[1], 0.3 * p[2] }; });
+  vtkNew<vtkSkdTreeBooleanOperation> filter;
+  filter->SetInputData(MakePolyData(plate));
+  filter->SetSourceData(MakePolyData(slits));
+  filter->SetOperationToDifference();
+  CountInstructions("plate with slits", [&] { filter->Update(); });
+}
+
 /// Two fans, at the tips of which all boxes overlap, along an axis that slants.
 Mesh Bicone(int count, double slant)
 {
@@ -383,6 +401,7 @@ int main()
   CountUnionOfBicones();
   CountUnionOfNearCopies();
   CountUnionOfRods();
+  CountSlits();
   CountVolume("tetrahedra", Tetrahedra(12));
   CountVolume("hexahedra", Hexahedra(16));
   CountVolume("mixed cells", MixedCells(12));

@@ -135,10 +135,7 @@ void SkdTriangleSplitter::Split(std::uint32_t triangle, const SkdSplitElement* f
   }
   this->Slots.resize(static_cast<std::size_t>(this->Corners.Count()));
   std::iota(this->Slots.begin(), this->Slots.end(), 0);
-  for (int i = onBorder; i < this->Corners.Count(); ++i)
-  {
-    this->Slots[i] = made.Add(i);
-  }
+  this->AddInside(onBorder, this->Corners.Count(), made);
   for (const std::pair<int, int>& edge : this->Inner)
   {
     made.Constrain(this->Slots[edge.first], this->Slots[edge.second]);
@@ -149,6 +146,19 @@ void SkdTriangleSplitter::Split(std::uint32_t triangle, const SkdSplitElement* f
     pieces.push_back({ this->IdOf(corners[0]), this->IdOf(corners[1]), this->IdOf(corners[2]) });
   }
   this->Memory = made.TakeMemory();
+}
+
+// The middle one first, as in AddToBorder: as a rule points that follow each other are near.
+template <class Triangulation>
+void SkdTriangleSplitter::AddInside(int begin, int end, Triangulation& made)
+{
+  if (begin < end)
+  {
+    const int middle = begin + (end - begin) / 2;
+    this->Slots[middle] = made.Add(middle);
+    this->AddInside(begin, middle, made);
+    this->AddInside(middle + 1, end, made);
+  }
 }
 
 std::uint32_t SkdTriangleSplitter::IdOf(int i) const
@@ -190,16 +200,26 @@ void SkdTriangleSplitter::CollectEdges()
     const std::uint32_t from = this->TriangleCorners[edge];
     const std::uint32_t to = this->TriangleCorners[next];
     const auto [first, last] = this->Edges.Find(from, to);
-    int before = edge;
+    const int begin = this->Corners.Count();
     const auto count = last - first;
     for (std::ptrdiff_t i = 0; i < count; ++i)
     {
       const std::uint32_t point = this->Find((from < to ? first[i] : first[count - 1 - i]).Point);
-      const int local = this->Corners.Add(point, 1u << edge);
-      this->Known.Add(point, local);
-      this->Border.push_back({ local, before, next });
-      before = local;
+      this->Known.Add(point, this->Corners.Add(point, 1u << edge));
     }
+    this->AddToBorder(edge, begin, this->Corners.Count(), next);
+  }
+}
+
+// The middle one first: one after the other, each would change the edges to all that come later.
+void SkdTriangleSplitter::AddToBorder(int before, int begin, int end, int next)
+{
+  if (begin < end)
+  {
+    const int middle = begin + (end - begin) / 2;
+    this->Border.push_back({ middle, before, next });
+    this->AddToBorder(before, begin, middle, middle);
+    this->AddToBorder(middle, middle + 1, end, next);
   }
 }
 

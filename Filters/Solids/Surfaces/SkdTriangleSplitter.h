@@ -131,7 +131,11 @@ private:
   std::uint32_t Find(std::uint32_t point) const { return this->Segments.GetPoints().Find(point); }
   void CollectCorners(const SkdSplitElement* first, const SkdSplitElement* last);
   void CollectEdges();
+  /// Points that follow each other on a side, between two that are on it already.
+  void AddToBorder(int before, int begin, int end, int next);
   void CollectInside(const SkdSplitElement* first, const SkdSplitElement* last);
+  template <class Triangulation>
+  void AddInside(int begin, int end, Triangulation& made);
 
   const SkdSplitSegments& Segments;
   const SkdSplitSegments::Side& Side;

@@ -5,6 +5,7 @@
 
 #include "FlipMesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -31,7 +32,8 @@ struct TriangulationMemory
 /// inside, then edges, none of which may cross another but at a point.
 ///
 /// By flips of edges (S. W. Sloan, Computers & Structures 47 (1993) 441-450). About O(n) for points
-/// that are added near the ones before, and O(k^2) for an edge that crosses k others.
+/// that are added near the ones before, and for an edge that crosses k others about O(k), at
+/// most O(k^2).
 template <class Orient, class IsBetter>
 class ConstrainedTriangulation
 {
@@ -255,36 +257,46 @@ private:
     return crossed;
   }
 
-  /// Flips edges until none crosses the segment.
+  /// Flips edges until none crosses the segment. They are gone through in their order along it,
+  /// again and again; when one no longer crosses, the one before may be ready for it.
   void Uncross(std::vector<Edge> crossed, int a, int b)
   {
-    constexpr std::size_t few = 64;
     std::vector<Edge> made;
+    std::vector<Edge> passed; // those that were looked at, the last one at the end
+    std::reverse(crossed.begin(), crossed.end()); // the next one at the end
     const auto orientation = [&](int point)
     { return point == a || point == b ? 0 : this->Orientation(a, b, point); };
-    std::size_t done = 0; // of those that are listed
-    while (done < crossed.size())
+    while (!crossed.empty())
     {
-      const Edge edge = crossed[done++];
-      if (done >= few && 2 * done > crossed.size())
-      {
-        crossed.erase(crossed.begin(), crossed.begin() + static_cast<std::ptrdiff_t>(done));
-        done = 0;
-      }
+      const Edge edge = crossed.back();
+      crossed.pop_back();
       const Side side = this->Mesh.FindSide(edge.first, edge.second);
       const Side other = this->Mesh.Across(side);
-      if (!this->IsConvex(side, other))
+      if (this->IsConvex(side, other))
       {
-        crossed.push_back(edge);
-        continue;
+        const int p = this->Mesh.Apex(side);
+        const int q = this->Mesh.Apex(other);
+        this->Mesh.Flip(side, other);
+        const int orientationP = orientation(p);
+        if (orientationP * orientation(q) < 0)
+        {
+          passed.emplace_back(orientationP < 0 ? p : q, orientationP < 0 ? q : p);
+        }
+        else
+        {
+          made.emplace_back(p, q);
+          MoveLast(passed, crossed);
+        }
       }
-      const int p = this->Mesh.Apex(side);
-      const int q = this->Mesh.Apex(other);
-      this->Mesh.Flip(side, other);
-      const int orientationP = orientation(p);
-      const bool isCrossing = orientationP * orientation(q) < 0;
-      (isCrossing ? crossed.emplace_back(orientationP < 0 ? p : q, orientationP < 0 ? q : p)
-                  : made.emplace_back(p, q));
+      else
+      {
+        passed.push_back(edge);
+      }
+      if (crossed.empty())
+      {
+        crossed.swap(passed);
+        std::reverse(crossed.begin(), crossed.end());
+      }
     }
     this->Mesh.Fix(this->Mesh.FindEitherSide(a, b));
     this->Open.clear();
@@ -293,6 +305,15 @@ private:
       this->Open.push_back(this->Mesh.FindEitherSide(edge.first, edge.second));
     }
     this->ImproveOpen();
+  }
+
+  static void MoveLast(std::vector<Edge>& from, std::vector<Edge>& to)
+  {
+    if (!from.empty())
+    {
+      to.push_back(from.back());
+      from.pop_back();
+    }
   }
 
   Orient Orientation;
