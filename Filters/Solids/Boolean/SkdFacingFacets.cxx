@@ -48,7 +48,8 @@ public:
     : Center(bounds.Centroid())
     , Steps(4096.0 / std::max(Norm(bounds.Max - bounds.Min), std::numeric_limits<double>::min()))
   {
-    while (this->Size < 32 * count)
+    constexpr std::uint32_t most = 1u << 31;
+    while (this->Size < 32 * count && this->Size < most)
     {
       this->Size *= 2;
     }
