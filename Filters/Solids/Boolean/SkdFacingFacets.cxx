@@ -17,6 +17,7 @@ namespace skdtree
 namespace
 {
 using Triangle = std::array<skd::Vector3, 3>;
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Whether b is outside of a along one of its edges.
 bool IsBesideAnEdge(
@@ -58,8 +59,7 @@ public:
   struct Place
   {
     std::uint32_t Numbers[2]; // different if the plane is near an end of a step
-    bool IsReversed;          // whether it faces to the center
-    bool IsAmbiguous;         // whether it may do so by rounding: the center is in it
+    bool IsReversed;          // against the way that both of a plane agree on
   };
 
   /// Of a plane with a normal of length 1, through a point.
@@ -67,15 +67,22 @@ public:
   {
     constexpr double near = 0.01; // steps, far more than rounding
     const double distance = this->Steps * Dot(normal, x - this->Center);
-    const double sign = distance < 0.0 ? -1.0 : 1.0;
-    const double away = sign * distance;
-    const std::uint64_t direction = this->Pack(sign * normal);
-    const auto numberAt = [&](double at) { return this->Hash(direction, at); };
-    return { { numberAt(away), numberAt(away + near) }, sign < 0.0, away < near };
+    const bool isByNormal = std::abs(distance) < near; // away from the center is by rounding then
+    const bool isReversed = isByNormal ? IsNegative(normal) : distance < 0.0;
+    const std::uint64_t direction = Pack(isReversed ? -1.0 * normal : normal);
+    const double away = std::abs(distance);
+    return { { this->Hash(direction, away), this->Hash(direction, away + near) }, isReversed };
   }
   std::uint32_t GetSize() const { return this->Size; }
 
 private:
+  /// By the largest component.
+  static bool IsNegative(const skd::Vector3& normal)
+  {
+    const int axis = std::abs(normal[0]) > 0.57 ? 0 : std::abs(normal[1]) > 0.57 ? 1 : 2;
+    return normal[axis] < 0.0;
+  }
+
   static std::uint64_t Pack(const skd::Vector3& normal)
   {
     constexpr double steps = 4096.0;
@@ -114,46 +121,25 @@ public:
   {
   }
 
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> Find()
+  std::vector<Pair> Find()
   {
     this->ListSome();
-    std::vector<skd::Box3> boxes;
-    for (const Facet& facet : this->Some)
+    std::vector<Pair> pairs;
+    for (auto first = this->Some.begin(), last = first; first != this->Some.end(); first = last)
     {
-      skd::Box3 box;
-      std::for_each(
-        facet.Corners.begin(), facet.Corners.end(), [&box](const auto& x) { box.Add(x); });
-      boxes.push_back(box.Inflated(facet.Tolerance));
+      last = std::find_if(first, this->Some.end(),
+        [first](const Facet& facet) { return facet.Plane != first->Plane; });
+      this->AddPairs(&*first, &*first + (last - first), pairs);
     }
-    const skd::PackedRTree tree(boxes);
-    std::vector<std::vector<std::uint32_t>> others(this->Some.size());
-    SkdForEach(this->Some.size(),
-      [&](std::size_t i)
-      {
-        tree.ForEachOverlapping(boxes[i],
-          [&](std::uint32_t k)
-          {
-            if (i < k && this->AreFacing(this->Some[i], this->Some[k]))
-            {
-              others[i].push_back(this->Some[k].Number);
-            }
-          });
-        std::sort(others[i].begin(), others[i].end());
-      });
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    for (std::size_t i = 0; i < others.size(); ++i)
-    {
-      for (const std::uint32_t other : others[i])
-      {
-        pairs.emplace_back(this->Some[i].Number, other);
-      }
-    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
   }
 
 private:
   struct Facet
   {
+    std::uint32_t Plane; // number in the table
     std::uint32_t Number;
     Triangle Corners;
     skd::Vector3 Normal; // as the boundary has it, of length 1
@@ -208,22 +194,69 @@ private:
     {
       const PlaneTable::Place& at = places[facet];
       const skd::MarkedNumbers& others = marks[!at.IsReversed];
-      if (this->Signs[facet] != 0 &&
-        (at.IsAmbiguous || others.IsMarked(at.Numbers[0]) || others.IsMarked(at.Numbers[1])))
+      for (int i = 0; i < 2 && this->Signs[facet] != 0; ++i)
       {
-        this->Add(facet);
+        if (others.IsMarked(at.Numbers[i]) && (i == 0 || at.Numbers[1] != at.Numbers[0]))
+        {
+          this->Add(facet, at.Numbers[i]);
+        }
       }
     }
+    std::sort(this->Some.begin(), this->Some.end(),
+      [](const Facet& a, const Facet& b)
+      { return a.Plane != b.Plane ? a.Plane < b.Plane : a.Number < b.Number; });
   }
 
-  void Add(std::uint32_t facet)
+  void Add(std::uint32_t facet, std::uint32_t plane)
   {
     const Triangle x = this->Facets.GetPositions(this->Set, facet);
     const double tolerance = SkdToleranceOf(this->Set.GetCornerPoints(this->Facets.Parents[facet]));
     if (SkdWidthOf(x) > tolerance)
     {
-      this->Some.push_back({ facet, x, this->NormalOf(facet, x), tolerance });
+      this->Some.push_back({ plane, facet, x, this->NormalOf(facet, x), tolerance });
     }
+  }
+
+  /// Of facets in one plane, or a few. Their boxes are along the first one's longest edge, as those
+  /// of thin ones that are parallel overlap along other axes.
+  void AddPairs(const Facet* first, const Facet* last, std::vector<Pair>& pairs) const
+  {
+    const std::array<skd::Vector3, 3> axes = AxesOf(*first);
+    std::vector<skd::Box3> boxes;
+    for (const Facet* facet = first; facet != last; ++facet)
+    {
+      skd::Box3 box;
+      for (const skd::Vector3& x : facet->Corners)
+      {
+        box.Add({ { Dot(axes[0], x), Dot(axes[1], x), Dot(axes[2], x) } });
+      }
+      boxes.push_back(box.Inflated(facet->Tolerance));
+    }
+    const skd::PackedRTree tree(boxes);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+    {
+      tree.ForEachOverlapping(boxes[i],
+        [&](std::uint32_t k)
+        {
+          if (i < k && boxes[i].Overlaps(boxes[k]) && this->AreFacing(first[i], first[k]))
+          {
+            pairs.emplace_back(first[i].Number, first[k].Number);
+          }
+        });
+    }
+  }
+
+  /// Along the longest edge, across it and along the normal.
+  static std::array<skd::Vector3, 3> AxesOf(const Facet& facet)
+  {
+    skd::Vector3 longest{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const skd::Vector3 edge = facet.Corners[(i + 1) % 3] - facet.Corners[i];
+      longest = Norm2(edge) > Norm2(longest) ? edge : longest;
+    }
+    const skd::Vector3 along = (1.0 / Norm(longest)) * longest;
+    return { along, Cross(facet.Normal, along), facet.Normal };
   }
 
   bool AreFacing(const Facet& a, const Facet& b) const
@@ -231,8 +264,8 @@ private:
     constexpr double least = -1.0 + 1e-6;
     const double tolerance = std::max(a.Tolerance, b.Tolerance);
     return Dot(a.Normal, b.Normal) < least &&
-      this->Faces.AreInOnePlane(this->FaceOf(a), this->FaceOf(b)) &&
-      SkdDoOverlap(a.Corners, b.Corners, a.Normal, tolerance);
+      SkdDoOverlap(a.Corners, b.Corners, a.Normal, tolerance) &&
+      this->Faces.AreInOnePlane(this->FaceOf(a), this->FaceOf(b));
   }
 
   const SkdMovedTriangles& Set;
