@@ -42,16 +42,16 @@ def show(proxy, colors):
 
 
 
-def regions(port, last):
-    """Of one of the surfaces the regions 0 to `last`."""
+def regions(port, first, last):
+    """Of one of the surfaces the regions from one number to another."""
     threshold = simple.Threshold(Input=simple.OutputPort(intersection, port))
     threshold.Scalars = ["CELLS", "SkdRegionId"]
-    threshold.LowerThreshold, threshold.UpperThreshold = 0, last
+    threshold.LowerThreshold, threshold.UpperThreshold = first, last
     return threshold
 
 
-show(regions(4, 0), [0, 0.62, 0.74, 0.86, 2, 0.62, 0.74, 0.86])
-show(regions(5, 1), [0, 0.95, 0.75, 0.45, 1, 0.8, 0.35, 0.3])
+show(regions(4, 0, 0), [0, 0.62, 0.74, 0.86, 2, 0.62, 0.74, 0.86])
+show(regions(5, 1, 2), [1, 0.8, 0.35, 0.3, 2, 0.95, 0.75, 0.45])
 
 simple.Render(view)
 view.CameraPosition, view.CameraViewUp = [1, -4.5, -4], [0, 1, 0]

@@ -233,4 +233,26 @@ TEST(BooleanOperationChains, TurnedBoxesThatTouchLeaveNoGaps)
     }
   }
 }
+
+/// More bodies touch one face than parts are joined in turn.
+TEST(BooleanOperationChains, ManyPegsOnATurnedBlockLeaveNoGaps)
+{
+  Random random(78);
+  for (int turn = 0; turn < 4; ++turn)
+  {
+    const RandomRotation rotation(random, false);
+    Mesh pegs;
+    for (int i = 0; i < 64; ++i)
+    {
+      const Point low = { (i % 8 + 0.25) / 8, (i / 8 + 0.25) / 8, 1.0 };
+      Append(pegs, BoxTriangles(low, low + Point{ 1.0 / 16, 1.0 / 16, 0.5 }));
+    }
+    vtkNew<Filter> filter;
+    filter->SetInputData(MakePolyData(BoxTriangles({ 0, 0, 0 }, { 1, 1, 1 }).Map(rotation)));
+    filter->SetSourceData(MakePolyData(pegs.Map(rotation)));
+    const Surface made = RunClosed(filter);
+    EXPECT_NEAR(Reported(made, "Volume"), 1.0 + 64 * 0.5 / 256, 1e-12);
+    EXPECT_NEAR(Reported(made, "Area"), 6.0 + 64 * 4 * 0.5 / 16, 1e-12);
+  }
+}
 }

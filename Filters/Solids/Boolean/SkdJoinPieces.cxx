@@ -45,16 +45,16 @@ public:
   {
   }
 
-  /// Finds parts that lie on each other, but for those of these pairs of facets. Returns the facets
-  /// split where their borders cross, if they do.
+  /// Finds parts that lie on each other, but for those of these pairs of facets; one may lie on
+  /// several, with `areSeveral`. Returns the facets split where their borders cross, if they do.
   std::optional<SkdRoundedFacets> FindOpposite(
-    const SkdFaceSets& faces, const std::vector<Pair>& apart)
+    const SkdFaceSets& faces, const std::vector<Pair>& apart, bool areSeveral)
   {
     const auto areApart = [&](std::uint32_t a, std::uint32_t b) {
       return std::find(apart.begin(), apart.end(), this->FacetsOf({ a, b })) != apart.end();
     };
     this->Opposite = SkdFindOppositeParts(
-      this->Set, this->Facets, this->Signs, this->Parts, faces, this->Facing, areApart);
+      this->Set, this->Facets, this->Signs, this->Parts, faces, this->Facing, areSeveral, areApart);
     return SkdSplitBorders(this->Set, this->Facets, this->Signs, this->Parts, this->Opposite);
   }
 
@@ -441,10 +441,11 @@ Joined JoinOnce(const SkdPlacement& placement, const SkdFacets& facets, const Sk
   const std::vector<Pair> facing =
     SkdFindFacingFacets(placement.First, facets, signs, origins, faces);
   std::vector<Pair> apart;
+  bool areSeveral = true; // else those that fail would keep others from being made one
   while (true)
   {
     Joiner joiner(placement, facets, signs, origins, faces, facing);
-    if (auto split = joiner.FindOpposite(faces, apart))
+    if (auto split = joiner.FindOpposite(faces, apart, areSeveral))
     {
       return { std::move(split), true };
     }
@@ -455,7 +456,11 @@ Joined JoinOnce(const SkdPlacement& placement, const SkdFacets& facets, const Sk
     {
       return { std::move(joined), areMerged };
     }
-    apart.insert(apart.end(), failed.begin(), failed.end());
+    if (!areSeveral)
+    {
+      apart.insert(apart.end(), failed.begin(), failed.end());
+    }
+    areSeveral = false;
   }
 }
 }
@@ -464,7 +469,7 @@ std::optional<SkdRoundedFacets> SkdJoinPieces(const SkdPlacement& placement,
   const SkdFacets& facets, const SkdFacetSigns& signs, const std::vector<std::uint32_t>& origins,
   SkdFaceSets& faces, SkdRoundedFacets* given)
 {
-  constexpr int most = 16; // times: a part is made one with one other at a time
+  constexpr int most = 16; // times
   Joined joined = JoinOnce(placement, facets, signs, origins, faces);
   if (given && joined.Facets)
   {

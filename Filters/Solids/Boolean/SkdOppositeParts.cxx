@@ -34,23 +34,48 @@ public:
   }
 
   template <class AreApart>
-  std::vector<Pair> Find(const AreApart& areApart) const
+  std::vector<Pair> Find(const AreApart& areApart, bool areSeveral) const
   {
     std::vector<Pair> pairs = this->ListParallel();
-    std::vector<bool> isTaken(this->Normals.size(), false);
     const auto isLeftOut = [&](const Pair& pair)
-    {
-      const bool isPair = !isTaken[pair.first] && !isTaken[pair.second] &&
-        !areApart(pair.first, pair.second) && this->AreLaid(pair.first, pair.second);
-      isTaken[pair.first] = isTaken[pair.first] || isPair;
-      isTaken[pair.second] = isTaken[pair.second] || isPair;
-      return !isPair;
-    };
+    { return areApart(pair.first, pair.second) || !this->AreLaid(pair.first, pair.second); };
     pairs.erase(std::remove_if(pairs.begin(), pairs.end(), isLeftOut), pairs.end());
-    return pairs;
+    return this->Choose(pairs, areSeveral);
   }
 
 private:
+  /// Of all pairs some: of the parts in a pair one is in no other, and both with !areSeveral.
+  std::vector<Pair> Choose(const std::vector<Pair>& pairs, bool areSeveral) const
+  {
+    std::vector<std::uint32_t> counts(this->Normals.size(), 0);
+    for (const auto& [first, second] : pairs)
+    {
+      ++counts[first];
+      ++counts[second];
+    }
+    enum Role : unsigned char
+    {
+      Free,
+      One,    // in one pair
+      Several // in one or more, each with one that is in no other
+    };
+    std::vector<Role> roles(this->Normals.size(), Free);
+    std::vector<Pair> chosen;
+    for (const Pair& pair : pairs)
+    {
+      const bool isFirstOne = counts[pair.first] <= counts[pair.second];
+      Role& one = roles[isFirstOne ? pair.first : pair.second];
+      Role& several = roles[isFirstOne ? pair.second : pair.first];
+      if (one == Free && (several == Free || (several == Several && areSeveral)))
+      {
+        one = One;
+        several = Several;
+        chosen.push_back(pair);
+      }
+    }
+    return chosen;
+  }
+
   /// Of the first piece, as the boundary has it; of length 1.
   skd::Vector3 FindNormal(std::uint32_t part) const
   {
@@ -141,9 +166,9 @@ private:
 
 std::vector<Pair> SkdFindOppositeParts(const SkdMovedTriangles& set, const SkdFacets& facets,
   const SkdFacetSigns& signs, const SkdPieceParts& parts, const SkdFaceSets& faces,
-  const std::vector<Pair>& facing,
+  const std::vector<Pair>& facing, bool areSeveral,
   const std::function<bool(std::uint32_t, std::uint32_t)>& areApart)
 {
-  return OppositeParts(set, facets, signs, parts, faces, facing).Find(areApart);
+  return OppositeParts(set, facets, signs, parts, faces, facing).Find(areApart, areSeveral);
 }
 }

@@ -69,9 +69,16 @@ void SkdPieceParts::Merge(const std::vector<std::pair<std::uint32_t, std::uint32
   for (const auto& [first, second] : pairs)
   {
     parts.Unite(first, second);
-    for (const std::uint32_t piece : this->PiecesOf[std::max(first, second)])
+  }
+  for (const auto& [first, second] : pairs)
+  {
+    const std::uint32_t lowest = parts.Find(first);
+    if (first == lowest || second == lowest) // else both face as that does, or its opposite
     {
-      this->AreOpposite[piece] = true;
+      for (const std::uint32_t piece : this->PiecesOf[first == lowest ? second : first])
+      {
+        this->AreOpposite[piece] = true;
+      }
     }
   }
   const std::vector<std::uint32_t> numbers = parts.Number();

@@ -39,7 +39,8 @@ public:
     const std::vector<std::uint32_t>& origins, SkdFaceSets& faces,
     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& facing);
 
-  /// Makes the parts of each pair one: they lie in one plane and face opposite ways.
+  /// Makes the parts of each pair one: they lie in one plane and face opposite ways. One may be in
+  /// several pairs, with parts that are in no others.
   void Merge(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
 
   /// Frees all but which pieces each part has.
