@@ -175,7 +175,8 @@ SkdDealt vtkSkdTreeBooleanOperation::Internals::CombineSpread(
     return dealt;
   }
   this->SetSpread(&this->Dealt, &transport);
-  const SkdBooleanBlocks& blocks = this->Dealt.GetBlocks();
+  SkdBooleanBlocks blocks = this->Dealt.GetBlocks();
+  blocks.AlignsFaces = self->AlignFaces != 0;
   const bool isDone =
     this->Update(blocks, self->ChordalDeviation, true, this->MakeRule(self), self);
   const SkdDealt own = isDone ? SkdDealt::Done
@@ -251,12 +252,13 @@ void vtkSkdTreeBooleanOperation::CombineWhole(
   }
   Internals& solids = *this->Impl;
   solids.SetSpread(nullptr, nullptr);
-  const auto made = solids.MakeBlocks(this, input, source);
+  auto made = solids.MakeBlocks(this, input, source);
   if (!made)
   {
     return;
   }
-  const SkdBooleanBlocks& blocks = *made;
+  SkdBooleanBlocks& blocks = *made;
+  blocks.AlignsFaces = this->AlignFaces != 0;
   const bool areInputs = (source || isCutByPlane) && this->Operation != AT_LEAST;
   if (!solids.Update(blocks, this->ChordalDeviation, areInputs, solids.MakeRule(this), this))
   {
@@ -284,10 +286,11 @@ void vtkSkdTreeBooleanOperation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   SkdPrint(os, indent, "Operation", this->Operation, "MinimumNumberOfSolids",
     this->MinimumNumberOfSolids, "InsideRule", this->InsideRule, "OpenSurfaces", this->OpenSurfaces,
-    "KeepPolygons", this->KeepPolygons, "JoinPieces", this->JoinPieces, "MergePieces",
-    this->MergePieces, "CloseCut", this->CloseCut, "CutByPlane", this->CutByPlane, "PlaneOrigin",
-    this->PlaneOrigin, "PlaneNormal", this->PlaneNormal, "ChordalDeviation", this->ChordalDeviation,
-    "Translation", this->Translation, "Rotation", this->Rotation, "RotationCenter",
-    this->RotationCenter, "Transform", this->Impl->Matrix ? "set" : "none");
+    "KeepPolygons", this->KeepPolygons, "AlignFaces", this->AlignFaces, "JoinPieces",
+    this->JoinPieces, "MergePieces", this->MergePieces, "CloseCut", this->CloseCut, "CutByPlane",
+    this->CutByPlane, "PlaneOrigin", this->PlaneOrigin, "PlaneNormal", this->PlaneNormal,
+    "ChordalDeviation", this->ChordalDeviation, "Translation", this->Translation, "Rotation",
+    this->Rotation, "RotationCenter", this->RotationCenter, "Transform",
+    this->Impl->Matrix ? "set" : "none");
 }
 VTK_ABI_NAMESPACE_END

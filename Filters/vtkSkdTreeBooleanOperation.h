@@ -67,6 +67,8 @@
  * a split, one value a part from 0 on), SkdReportTreesBuilt, SkdReportSolids,
  * SkdReportTrianglesArranged (not all where only those near the Input of a Source that moves),
  * SkdReportTrianglesSplit, SkdReportTrianglesFolded (pieces that rounding has made flat),
+ * SkdReportPointsAligned (see AlignFaces), SkdReportCoordinateBits (24 if some points are stored as
+ * floats or an input says so, else 53),
  * SkdReportBadEdges (of the output as it is stored: 0 of a closed oriented surface),
  * SkdReportCellsInContact (see "Several processes"), SkdReportSeconds.
  *
@@ -208,6 +210,21 @@ public:
 
   //@{
   /**
+   * Whether faces of two bodies that are flush but for the rounding of their points to floats (or
+   * of what their surfaces were made of: see SkdReportCoordinateBits) are put in one plane, that of
+   * the largest, before all else. Without that, faces of bodies that were turned cross each other,
+   * or have gaps between them, as exact tests see them: walls and slivers stay. Faces count as
+   * flush within 16 roundings (2^-24 of their largest coordinate); their points move by at most 128,
+   * points of doubles not at all. That is so of the inputs as they are, not as a motion places the
+   * Source. Default on.
+   */
+  vtkSetMacro(AlignFaces, vtkTypeBool);
+  vtkGetMacro(AlignFaces, vtkTypeBool);
+  vtkBooleanMacro(AlignFaces, vtkTypeBool);
+  //@}
+
+  //@{
+  /**
    * Whether pieces of one flat face that stay together are joined and triangulated anew, without
    * points that only pieces needed: none inside of a face, and none on a straight line between two
    * faces (a point leaves the line at most by rounding). A face is a cell, cells side by side with
@@ -306,6 +323,7 @@ protected:
   int InsideRule = NONZERO;
   int OpenSurfaces = REFUSE;
   vtkTypeBool KeepPolygons = 1;
+  vtkTypeBool AlignFaces = 1;
   vtkTypeBool JoinPieces = 1;
   vtkTypeBool MergePieces = 0;
   vtkTypeBool CloseCut = 1;

@@ -19,6 +19,7 @@ struct SkdBooleanNames
   static constexpr const char* Front = "SkdSolidsInFront";
   static constexpr const char* Back = "SkdSolidsBehind";
   static constexpr const char* Part = "SkdPartId";
+  static constexpr const char* CoordinateBits = "CoordinateBits"; ///< of the report
   static constexpr const char* All[] = { Input, Solid, Cell, Block, Face, Front, Back, Part };
 };
 }

@@ -200,6 +200,8 @@ void SkdReportBoolean(vtkAlgorithm* filter, const SkdSolidArrangement& solids,
   const SkdBooleanRule& rule, const SkdBooleanTotals& totals, bool closesCut, SkdReport& report)
 {
   ReportInputs(solids, rule, report);
+  report.AddCount(SkdBooleanNames::CoordinateBits, solids.GetCoordinateBits());
+  report.AddCount("PointsAligned", solids.GetNumberAligned());
   report.AddCount("TrianglesFolded", totals.NumberFolded);
   report.AddCount("TrianglesSplit",
     solids.GetCombined() ? solids.GetCombined()->NumberSplit : solids.GetNumberSplit());

@@ -4,6 +4,7 @@
 
 #include "Exchange/SkdAskOthers.h"
 #include "Pipeline/SkdLoop.h"
+#include "Solids/Boolean/SkdAlignFaces.h"
 #include "Solids/Boolean/SkdBooleanNames.h"
 #include "Solids/Boolean/SkdJoinPieces.h"
 #include "Solids/Boolean/SkdSlivers.h"
@@ -59,6 +60,24 @@ bool MayBeNear(const SkdBooleanBlocks& blocks, SkdBooleanOperation operation)
 }
 }
 
+/// Whether they have changed.
+bool SkdSolidArrangement::Read(
+  const SkdBooleanBlocks& blocks, double chordalDeviation, SkdTriangleSet& to)
+{
+  if (blocks.AlignsFaces != this->AlignsFaces)
+  {
+    to = SkdTriangleSet();
+    this->AlignsFaces = blocks.AlignsFaces;
+  }
+  const bool isRead = to.Update(blocks.All, chordalDeviation);
+  if (isRead)
+  {
+    this->NumberAligned = this->AlignsFaces && !this->Spread ? SkdAlignFaces(blocks.All, to) : 0;
+    this->CoordinateBits = SkdLeastCoordinateBits(blocks.All);
+  }
+  return isRead;
+}
+
 /// Whether they have changed; nothing if points are no longer finite. Arranges what is near, or
 /// moves all.
 std::optional<bool> SkdSolidArrangement::UpdateTriangles(
@@ -66,14 +85,14 @@ std::optional<bool> SkdSolidArrangement::UpdateTriangles(
 {
   if (!blocks.Motion && !this->AsRead)
   {
-    return this->Triangles.Update(blocks.All, chordalDeviation);
+    return this->Read(blocks, chordalDeviation, this->Triangles);
   }
   bool hasChanged = !this->AsRead || blocks.FirstOfSource != this->FirstOfSource;
   if (!this->AsRead)
   {
     this->AsRead.emplace();
   }
-  hasChanged = this->AsRead->Update(blocks.All, chordalDeviation) || hasChanged;
+  hasChanged = this->Read(blocks, chordalDeviation, *this->AsRead) || hasChanged;
   if (hasChanged)
   {
     this->OfInput = {};
@@ -85,7 +104,7 @@ std::optional<bool> SkdSolidArrangement::UpdateTriangles(
   {
     this->AsRead.reset();
     this->Triangles = SkdTriangleSet();
-    return this->Triangles.Update(blocks.All, chordalDeviation);
+    return this->Read(blocks, chordalDeviation, this->Triangles);
   }
   const skd::RigidMotion motion = blocks.Motion.value_or(NoMotion);
   const bool isAtRest = !hasChanged && this->Motion && AreSame(motion, *this->Motion);
@@ -177,6 +196,11 @@ bool SkdSolidArrangement::Update(const SkdBooleanBlocks& blocks, double chordalD
     vtkErrorWithObjectMacro(
       filter, "The Source is moved to where coordinates are not finite; there is no output.");
     return false;
+  }
+  if (this->Spread && blocks.AlignsFaces && SkdHasFacesToAlign(blocks.All, this->Triangles))
+  {
+    this->ForgetArrangement();
+    return false; // faces may be those of other processes, too
   }
   this->WasSplit = *hasChanged;
   const auto findFaces = [&]

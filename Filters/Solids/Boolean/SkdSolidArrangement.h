@@ -182,6 +182,12 @@ public:
   ///@}
 
   ///@{
+  /// See SkdAlignFaces: points that were moved, and the least bits of data sets.
+  vtkIdType GetNumberAligned() const { return this->NumberAligned; }
+  int GetCoordinateBits() const { return this->CoordinateBits; }
+  ///@}
+
+  ///@{
   /// Triangles that were arranged, and of these those that are in pieces.
   vtkIdType GetNumberArranged() const
   {
@@ -243,6 +249,7 @@ private:
   }
 
   void FindSides();
+  bool Read(const SkdBooleanBlocks& blocks, double chordalDeviation, SkdTriangleSet& to);
   std::optional<bool> UpdateTriangles(
     const SkdBooleanBlocks& blocks, double chordalDeviation, bool mayBeNear, vtkAlgorithm* filter);
   bool ArrangeNear(
@@ -264,6 +271,9 @@ private:
   const SkdSpreadSolids* Spread = nullptr;
   SkdTransport* Transport = nullptr;
   SkdTriangleSet Triangles;
+  bool AlignsFaces = false;
+  vtkIdType NumberAligned = 0;
+  int CoordinateBits = 0;
   std::optional<SkdTriangleSet> AsRead; // with the Source where it was, if that has moved
   std::optional<skd::RigidMotion> Motion;
   SkdPairCache OfInput;

@@ -17,6 +17,7 @@ struct SkdBooleanBlocks
   int FirstOfSource; ///< those before it are of the Input
   bool IsComposite;
   std::optional<skd::RigidMotion> Motion = std::nullopt; ///< of the Source
+  bool AlignsFaces = false;                              ///< see SkdAlignFaces
 };
 
 /// `source` may be nullptr.

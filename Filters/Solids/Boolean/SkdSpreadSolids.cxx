@@ -9,6 +9,7 @@
 #include "Exchange/SkdAskOthers.h"
 #include "Exchange/SkdPieceNumbers.h"
 #include "Pipeline/SkdLoop.h"
+#include "Solids/Boolean/SkdAlignFaces.h"
 #include "Solids/Boolean/SkdArrangement.h"
 #include "Solids/Boolean/SkdBooleanNames.h"
 #include "Solids/Boolean/SkdEdgeSums.h"
@@ -25,8 +26,10 @@ namespace
 using Sources = std::array<const SkdSpreadSource*, 2>;
 using Destinations = std::array<SkdRowsByProcess<vtkIdType>, 2>; // of each input, by process
 
-/// By how much boxes of cells are larger that may meet, in units in the last place.
-constexpr double UnitsOfBoxes = 64.0;
+/// By how much boxes of cells are larger that may meet, relative to the largest coordinate: units
+/// in the last place of doubles, or of floats.
+constexpr double MarginOfDoubles = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double MarginOfFloats = 16.0 * std::numeric_limits<float>::epsilon();
 
 constexpr std::uint32_t None = 0xffffffffu;
 
@@ -37,6 +40,7 @@ struct Facts
   skd::Box3 Bounds;
   double Largest = 0.0;
   double Least = std::numeric_limits<double>::infinity();
+  int CoordinateBits = std::numeric_limits<int>::max();
   SkdEdgeSums Edges[2];
 
   void Add(const Facts& other)
@@ -45,6 +49,7 @@ struct Facts
     this->Bounds.Add(other.Bounds);
     this->Largest = std::max(this->Largest, other.Largest);
     this->Least = std::min(this->Least, other.Least);
+    this->CoordinateBits = std::min(this->CoordinateBits, other.CoordinateBits);
     this->Edges[0].Add(other.Edges[0]);
     this->Edges[1].Add(other.Edges[1]);
   }
@@ -162,6 +167,7 @@ private:
     facts.Bounds = this->Set.GetBounds();
     facts.Largest = this->Set.GetLargestCoordinate();
     facts.Least = this->Set.GetLeastCoordinate();
+    facts.CoordinateBits = SkdLeastCoordinateBits(this->Blocks.All);
     for (std::uint32_t triangle = 0; triangle < this->Set.GetTriangles().size(); ++triangle)
     {
       const SkdTriangleSet::Cell& cell = this->Set.GetCells()[this->Set.GetCellOf(triangle)];
@@ -178,13 +184,13 @@ private:
       all.Add(told.front());
     }
     this->Center = 0.5 * (all.Bounds.Min + all.Bounds.Max);
+    const bool areFloats = all.CoordinateBits <= std::numeric_limits<float>::digits;
+    this->Margin = (areFloats ? MarginOfFloats : MarginOfDoubles) * all.Largest;
     return all.AreFit();
   }
 
   void FindBoxes()
   {
-    const double margin =
-      UnitsOfBoxes * std::numeric_limits<double>::epsilon() * this->Set.GetLargestCoordinate();
     this->Boxes.resize(this->Own.size());
     for (std::uint32_t triangle = 0; triangle < this->Set.GetTriangles().size(); ++triangle)
     {
@@ -196,7 +202,7 @@ private:
     }
     for (skd::Box3& box : this->Boxes)
     {
-      box = box.Inflated(margin);
+      box = box.Inflated(this->Margin);
     }
   }
 
@@ -454,6 +460,7 @@ private:
   const SkdBooleanBlocks Blocks;       // what this process has
   const std::vector<SkdJoinedIds> Ids; // of its cells
   SkdTriangleSet Set;
+  double Margin = 0.0;              // of boxes
   skd::Vector3 Center{};            // of the bounds of all processes' cells
   std::vector<std::uint32_t> Own;   // the cells of the set that this process counts
   std::vector<std::uint32_t> Slots; // of each cell of the set its place among these, or None

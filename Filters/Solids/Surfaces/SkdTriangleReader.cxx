@@ -29,6 +29,26 @@ inline double AreaOf(const SkdReadTriangles& of, const SkdReadTriangles::Corners
 }
 
 //------------------------------------------------------------------------------
+void SkdReadTriangles::LeaveOutCollapsed(std::size_t from)
+{
+  std::size_t count = from;
+  for (std::size_t i = from; i < this->Triangles.size(); ++i)
+  {
+    const Corners corners = this->Triangles[i];
+    const skd::Vector3& a = this->Points[corners[0]];
+    const skd::Vector3& b = this->Points[corners[1]];
+    const skd::Vector3& c = this->Points[corners[2]];
+    if (!(a == b || b == c || c == a))
+    {
+      this->CellOf[count] = this->CellOf[i];
+      this->Triangles[count++] = corners;
+    }
+  }
+  this->CellOf.resize(count);
+  this->Triangles.resize(count);
+}
+
+//------------------------------------------------------------------------------
 void SkdReadTriangles::FindExtents()
 {
   this->Bounds = {};

@@ -80,6 +80,9 @@ struct SkdReadTriangles
   /// The least magnitude of coordinates other than 0.
   double LeastCoordinate = std::numeric_limits<double>::infinity();
 
+  /// Leaves out triangles from one on two corners of which are at one place.
+  void LeaveOutCollapsed(std::size_t from);
+
   /// Finds the bounds, the least area and the least coordinate of points and triangles.
   void FindExtents();
 };

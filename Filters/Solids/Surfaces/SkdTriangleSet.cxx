@@ -92,26 +92,22 @@ std::optional<SkdTriangleSet> SkdTriangleSet::Moved(
     return std::nullopt;
   }
   const bool isMirrored = Dot(Cross(motion.Rows[0], motion.Rows[1]), motion.Rows[2]) < 0.0;
-  std::size_t count =
+  const std::size_t first =
     std::lower_bound(moved.CellOf.begin(), moved.CellOf.end(), firstCell) - moved.CellOf.begin();
-  for (std::size_t i = count; i < moved.Triangles.size(); ++i)
+  for (std::size_t i = first; isMirrored && i < moved.Triangles.size(); ++i)
   {
-    Corners corners = moved.Triangles[i];
-    if (isMirrored)
-    {
-      std::swap(corners[1], corners[2]);
-    }
-    const auto& points = moved.Points;
-    if (!(points[corners[0]] == points[corners[1]] || points[corners[1]] == points[corners[2]] ||
-          points[corners[2]] == points[corners[0]]))
-    {
-      moved.CellOf[count] = moved.CellOf[i];
-      moved.Triangles[count++] = corners;
-    }
+    std::swap(moved.Triangles[i][1], moved.Triangles[i][2]);
   }
-  moved.CellOf.resize(count);
-  moved.Triangles.resize(count);
+  moved.LeaveOutCollapsed(first);
   return SkdTriangleSet(std::move(moved));
+}
+
+//------------------------------------------------------------------------------
+void SkdTriangleSet::PutPoints(PointList points)
+{
+  this->Read.Points = std::move(points);
+  this->Read.LeaveOutCollapsed(0);
+  this->Read.FindExtents();
 }
 
 //------------------------------------------------------------------------------

@@ -68,6 +68,10 @@ public:
   /// points are no longer finite. O(n).
   std::optional<SkdTriangleSet> Moved(int firstBlock, const skd::RigidMotion& motion) const;
 
+  /// Moves all points, which must not be merged. Triangles two corners of which have become one are
+  /// left out. O(n).
+  void PutPoints(PointList points);
+
   /// Some triangles, ascending, as a set of their own, with the points that they have in the same
   /// order (`points`: in this set) and the extents of all: placements and thresholds are the same,
   /// and so is what depends on the order of triangles and points. O(n) for n of them, and a bit for

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdFlushFaces.h
+ * @brief Faces of several bodies that lie in one plane but for the rounding of points to floats.
+ */
+
+#ifndef SkdFlushFaces_h
+#define SkdFlushFaces_h
+
+#include "Core/Geometry/EdgeTable.h"
+#include "Solids/Surfaces/SkdTriangleSet.h"
+
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace skdtree
+{
+/// The mean plane of a face: of triangles in one plane, to within rounding, that edges connect.
+struct SkdFacePlane
+{
+  skd::Vector3 Normal{}; // of length 1
+  skd::Vector3 Origin{};
+  double Distance = 0.0;  // from the origin
+  double Area = 0.0;      // twice
+  double Largest = 0.0;   // coordinate
+  std::uint32_t Size = 0; // triangles
+  bool IsExact = true;    // of points that are no floats
+  bool IsFlat = true;     // else points are farther away from it than rounding
+
+  /// How far a point is in front of it.
+  double HeightOf(const skd::Vector3& x) const
+  {
+    return Dot(this->Normal, x - this->Origin) - this->Distance;
+  }
+  /// Whether others are put in its plane, rather than it in theirs.
+  bool ComesBefore(const SkdFacePlane& other) const
+  {
+    return this->IsExact != other.IsExact ? this->IsExact : this->Area > other.Area;
+  }
+};
+
+/// The triangles of a set with points of equal coordinates as one; their bodies, which are blocks
+/// or parts of these that edges connect; and their faces. To be used as long as the set.
+class SkdFlushFaces
+{
+public:
+  using Corners = SkdTriangleSet::Corners;
+  using Triangle = std::array<skd::Vector3, 3>;
+
+  static constexpr int BitsOfFloat = std::numeric_limits<float>::digits;
+  static constexpr int BitsOfDouble = std::numeric_limits<double>::digits;
+  /// How far rounding to a float takes a coordinate, relative to it.
+  static constexpr double Rounding = 0.5 * std::numeric_limits<float>::epsilon();
+
+  /// `bits` are those of the coordinates of each block. Finds triangles of two bodies that lie in
+  /// one plane, on each other or side by side, to within 16 roundings: O(n) where bodies are apart,
+  /// else O(n log n).
+  SkdFlushFaces(const std::vector<int>& bits, const SkdTriangleSet& set);
+
+  /// Whether some of these are not in one plane to the rounding of doubles.
+  bool AreSomeOff() const;
+
+  /// Finds the faces, and gives those that are flush, and others that touch them in their plane,
+  /// the plane of one of them.
+  void FindPlanes();
+
+  const std::vector<skd::Vector3>& GetPoints() const { return this->Points; }
+  const std::vector<Corners>& GetTriangles() const { return this->Triangles; }
+  std::uint32_t GetPointOf(std::size_t given) const
+  {
+    return this->PointOf[given];
+  } ///< of the set's
+  bool IsExact(std::uint32_t triangle) const
+  {
+    return this->Bits[static_cast<std::size_t>(this->BlockOf(triangle))] != BitsOfFloat;
+  }
+
+  ///@{
+  /// Once planes are found: of each triangle the face, whether that is flush with another one, and
+  /// the face whose plane it is to be in.
+  const SkdFacePlane& GetFaceOf(std::uint32_t triangle) const
+  {
+    return this->Faces[this->FaceOf[triangle]];
+  }
+  bool IsFlush(std::uint32_t triangle) const { return this->AreFlush[this->FaceOf[triangle]]; }
+  std::uint32_t GetPlaneOf(std::uint32_t triangle) const
+  {
+    return this->PlaneOf[this->FaceOf[triangle]];
+  }
+  const SkdFacePlane& GetPlane(std::uint32_t face) const { return this->Faces[face]; }
+  ///@}
+
+private:
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+  int BlockOf(std::uint32_t triangle) const
+  {
+    return this->Set.GetCells()[this->Set.GetCellOf(triangle)].Block;
+  }
+  Triangle PositionsOf(std::uint32_t triangle) const
+  {
+    const Corners& corners = this->Triangles[triangle];
+    return { this->Points[corners[0]], this->Points[corners[1]], this->Points[corners[2]] };
+  }
+  double ToleranceOf(std::uint32_t triangle) const;
+  bool AreInOnePlane(std::uint32_t a, std::uint32_t b) const;
+  bool IsIn(std::uint32_t triangle, const SkdFacePlane& plane) const;
+  skd::Box3 BoxOf(std::uint32_t triangle) const;
+  template <class Visit>
+  void ForEachNeighbours(const Visit& visit) const;
+  void Weld();
+  void FindBodies();
+  std::vector<std::uint32_t> ListNear(std::vector<skd::Box3>& boxes) const;
+  void FindPairs();
+  std::vector<std::uint32_t> FindFaces();
+  void FitPlanes(const std::vector<std::uint32_t>& widest);
+  void AddTouching(std::set<Pair>& pairs) const;
+  void UniteFaces();
+
+  const std::vector<int> Bits;
+  const SkdTriangleSet& Set;
+  std::vector<std::uint32_t> PointOf;
+  std::vector<skd::Vector3> Points;
+  std::vector<Corners> Triangles;
+  skd::EdgeTable<> Edges;
+  std::vector<std::uint32_t> BodyOf; // each triangle
+  std::vector<Pair> Pairs;           // of triangles in one plane
+  std::vector<std::uint32_t> FaceOf; // each triangle
+  std::vector<SkdFacePlane> Faces;
+  std::vector<bool> AreFlush;         // of each face
+  std::vector<std::uint32_t> PlaneOf; // the same
+};
+}
+
+#endif
