@@ -163,12 +163,12 @@ Point Turned(const Point& p)
 }
 
 /// How points are stored, how far that may take volumes and areas from what they are to be, and the
-/// share of operations in a chain that may leave walls.
+/// share of operations in a chain that may leave surplus area between bodies.
 struct Stored
 {
   int PointType;
   double Error;
-  double Walls;
+  double Surplus;
 };
 
 class BooleanOperationTurned : public testing::TestWithParam<Stored>
@@ -183,10 +183,10 @@ INSTANTIATE_TEST_SUITE_P(Points, BooleanOperationTurned,
 /// The same boxes along the axes leave up to 300 triangles.
 TEST_P(BooleanOperationTurned, ChainsOfBoxesThatTouch)
 {
-  const auto [pointType, error, walls] = this->GetParam();
+  const auto [pointType, error, surplus] = this->GetParam();
   constexpr int operations[] = { Filter::UNION, Filter::DIFFERENCE, Filter::SYMMETRIC_DIFFERENCE };
   const int steps = 40;
-  int withWalls = 0;
+  int withSurplus = 0;
   for (int number = 0; number < Amount(12); ++number)
   {
     SCOPED_TRACE(number);
@@ -205,12 +205,12 @@ TEST_P(BooleanOperationTurned, ChainsOfBoxesThatTouch)
       filter->SetOperation(operation);
       made = RunClosed(filter);
       EXPECT_NEAR(Reported(made, "Volume"), static_cast<double>(cells.count()), error);
-      withWalls += std::abs(Reported(made, "Area") - AreaOf(cells)) > error;
+      withSurplus += std::abs(Reported(made, "Area") - AreaOf(cells)) > error;
       most = std::max(most, made->GetNumberOfCells());
     }
     EXPECT_LT(most, 450);
   }
-  EXPECT_LE(withWalls, walls * steps * Amount(12));
+  EXPECT_LE(withSurplus, surplus * steps * Amount(12));
 }
 
 /// Two boxes with faces in one plane, and what an operation on them has.

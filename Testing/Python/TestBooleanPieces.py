@@ -18,7 +18,7 @@ RUNS = {
 }
 OPERATIONS = ("Union", "Intersection", "Difference", "Reverse Difference", "Symmetric Difference")
 SUMS = ("Volume", "Area", "InputVolume", "InputArea", "SourceVolume", "SourceArea")
-COUNTS = ("BadEdges", "TrianglesSplit", "TrianglesFolded")
+COUNTS = ("BadEdges", "TrianglesSplit", "TrianglesFolded", "CoordinateBits", "PointsAligned")
 DIFFERENT = "different"
 EXCHANGED = ", exchanged"
 
@@ -45,6 +45,13 @@ def cases(partition):
     yield "nested", simple.SkdTreeBooleanOperation(Input=ball, Source=small, Operation="Difference")
     yield "apart", simple.SkdTreeBooleanOperation(Input=ball, Source=far)
     yield "flush blocks", simple.SkdTreeBooleanOperation(Input=block, Source=flush)
+    turned = skdpieces.source("block", partition, angle=40.0)
+    yield "~turned blocks of floats", simple.SkdTreeBooleanOperation(
+        Input=turned, Source=skdpieces.source(
+            "block", partition, corner=(1.0, 0.25, 0.5), size=(1.0, 0.5, 0.5), angle=40.0))
+    yield "turned blocks that cross", simple.SkdTreeBooleanOperation(
+        Input=turned, Source=skdpieces.source(
+            "block", partition, corner=(0.7, 0.27, 0.53), size=(1.0, 0.4, 0.4), angle=40.0))
     yield "equal", simple.SkdTreeBooleanOperation(
         Input=block, Source=skdpieces.source("block", partition), Operation="Intersection")
     yield "crowd", simple.SkdTreeBooleanOperation(
@@ -148,7 +155,9 @@ def check(whole, parts):
                 assert own.size == 0 or list(own) == list(expected), (name, own, expected)
         else:
             together = numpy.vstack([part[name + EXCHANGED] for part in parts])
-            assert together.shape == expected.shape, (name, expected.shape, together.shape)
+            # What lies between faces that are flush but for rounding depends on the order of cells.
+            assert together.shape == expected.shape or "of floats" in name, (
+                name, expected.shape, together.shape)
             check_same(name, parts)
 
 

@@ -16,9 +16,10 @@ from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (VTK_LINE, VTK_QUADRATIC_TRIANGLE, VTK_VERTEX,
     vtkDataSetAttributes, vtkImageData, vtkPolyData, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import (vtkAppendPolyData, vtkCleanPolyData, vtkElevationFilter,
     vtkPointDataToCellData, vtkPolyDataNormals)
-from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
+from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter, vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
@@ -96,8 +97,8 @@ def tiles(count=9, corner=(0.0, 0.0, 0.0), first=(1.0, 0.0, 0.0), second=(0.0, 1
     return of_cells.GetOutput()
 
 
-def block(corner=(0.0, 0.0, 0.0), size=(1.0, 1.0, 1.0), count=4):
-    """A closed box whose sides are squares of quadrilaterals."""
+def block(corner=(0.0, 0.0, 0.0), size=(1.0, 1.0, 1.0), count=4, angle=0.0):
+    """A closed box whose sides are squares of quadrilaterals, turned by degrees: of floats."""
     cells = vtkImageData()
     cells.SetDimensions(count + 1, count + 1, count + 1)
     cells.SetOrigin(*corner)
@@ -112,7 +113,16 @@ def block(corner=(0.0, 0.0, 0.0), size=(1.0, 1.0, 1.0), count=4):
     oriented.AutoOrientNormalsOn()
     oriented.ComputePointNormalsOff()
     oriented.Update()
-    return oriented.GetOutput()
+    if angle == 0.0:
+        return oriented.GetOutput()
+    rotation = vtkTransform()
+    rotation.RotateWXYZ(angle, 1.0, 2.0, 3.0)
+    turned = vtkTransformPolyDataFilter()
+    turned.SetTransform(rotation)
+    turned.SetOutputPointsPrecision(vtkAlgorithm.SINGLE_PRECISION)
+    turned.SetInputConnection(oriented.GetOutputPort())
+    turned.Update()
+    return turned.GetOutput()
 
 
 def crowd(count=12, step=2.1, shift=0.0):

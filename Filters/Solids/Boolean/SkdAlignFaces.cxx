@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <string>
 
@@ -21,24 +20,22 @@ namespace skdtree
 {
 namespace
 {
-constexpr std::uint32_t None = 0xffffffffu;
-
 /// Moves a point into planes, one after the other, without leaving those before.
 class PointInPlanes
 {
 public:
-  explicit PointInPlanes(const skd::Vector3& x)
+  /// `most` is how far it may move.
+  PointInPlanes(const skd::Vector3& x, double most)
     : Start(x)
+    , Most(most)
     , X(x)
   {
   }
 
-  bool IsFull() const { return this->Count == 3; }
   const skd::Vector3& GetPosition() const { return this->X; }
 
-  /// False, and nothing is moved, if the plane is nearly that of others, or farther away along them
-  /// than `most` from where the point was at first.
-  bool Add(const SkdFacePlane& plane, double most)
+  /// Does nothing if the plane is nearly that of others, or too far away along them.
+  void Add(const SkdFacePlane& plane)
   {
     constexpr double least = 1e-3; // sine of an angle
     skd::Vector3 across = plane.Normal;
@@ -50,37 +47,42 @@ public:
       }
     }
     const double sine = Norm(across);
-    if (this->IsFull() || sine < least)
+    if (this->Count == 3 || sine < least)
     {
-      return false;
+      return;
     }
     this->Planes[this->Count] = &plane;
     this->Across[this->Count] = (1.0 / sine) * across;
     ++this->Count;
-    const skd::Vector3 before = this->X;
-    this->Project();
-    this->Project();
-    if (Norm(this->X - this->Start) <= most)
+    // Where three planes meet is one position for all points.
+    const skd::Vector3 moved = this->Projected(this->Count == 3 ? plane.Corners[0] : this->X);
+    if (Norm(moved - this->Start) <= this->Most)
     {
-      return true;
+      this->X = moved;
     }
-    --this->Count;
-    this->X = before;
-    return false;
+    else
+    {
+      --this->Count;
+    }
   }
 
 private:
-  void Project()
+  skd::Vector3 Projected(skd::Vector3 x) const
   {
-    for (std::size_t i = 0; i < this->Count; ++i)
+    for (int pass = 0; pass < 3; ++pass) // others for what the first one has rounded
     {
-      const SkdFacePlane& plane = *this->Planes[i];
-      const double along = Dot(plane.Normal, this->Across[i]);
-      this->X = this->X - (plane.HeightOf(this->X) / along) * this->Across[i];
+      for (std::size_t i = 0; i < this->Count; ++i)
+      {
+        const SkdFacePlane& plane = *this->Planes[i];
+        x = x - (plane.HeightOf(x) / Dot(plane.Normal, this->Across[i])) * this->Across[i];
+      }
     }
+    return x;
   }
 
-  skd::Vector3 Start, X;
+  const skd::Vector3 Start;
+  const double Most;
+  skd::Vector3 X;
   std::array<const SkdFacePlane*, 3> Planes{};
   std::array<skd::Vector3, 3> Across{}; // orthonormal: each is along the planes before it
   std::size_t Count = 0;
@@ -163,7 +165,7 @@ private:
         for (std::uint32_t triangle = 0; triangle < n; ++triangle)
         {
           const SkdFacePlane& face = this->Faces.GetFaceOf(triangle);
-          const bool hasPlane = face.IsFlat && (face.Size > 1 || this->Faces.IsFlush(triangle));
+          const bool hasPlane = face.IsFlat && (!face.IsSingle || this->Faces.IsFlush(triangle));
           for (std::size_t i = 0; i < 3 && hasPlane; ++i)
           {
             const std::uint32_t corner = triangles[triangle][i];
@@ -176,9 +178,9 @@ private:
       });
   }
 
-  /// Nothing if it is there. Points of the same three planes get the same position.
+  /// Nothing if it is there.
   std::optional<skd::Vector3> FindPosition(
-    const skd::Vector3& x, const std::vector<std::uint32_t>& planes)
+    const skd::Vector3& x, const std::vector<std::uint32_t>& planes) const
   {
     constexpr double roundings = 128.0;
     double largest = 0.0;
@@ -193,53 +195,20 @@ private:
     {
       return std::nullopt;
     }
-    PointInPlanes point(x);
-    SkdFlushFaces::Corners taken{ None, None, None };
-    std::size_t count = 0;
+    PointInPlanes point(x, roundings * SkdFlushFaces::Rounding * largest);
     for (const std::uint32_t plane : planes)
     {
-      if (point.Add(this->Faces.GetPlane(plane), roundings * SkdFlushFaces::Rounding * largest))
-      {
-        taken[count++] = plane;
-      }
+      point.Add(this->Faces.GetPlane(plane));
     }
-    return point.IsFull() ? this->OfThree.emplace(taken, point.GetPosition()).first->second
-                          : point.GetPosition();
+    return point.GetPosition();
   }
 
   const SkdFlushFaces& Faces;
   std::vector<skd::Vector3> Points;
   std::vector<bool> HasMoved;
-  std::map<SkdFlushFaces::Corners, skd::Vector3> OfThree; // points by their planes
 };
 
-std::vector<int> BitsOf(const std::vector<SkdBlock>& blocks)
-{
-  std::vector<int> bits;
-  for (const SkdBlock& block : blocks)
-  {
-    bits.push_back(SkdCoordinateBits(block.Mesh));
-  }
-  return bits;
-}
-
-/// None if there is nothing to align.
-std::optional<SkdFlushFaces> FindFlushFaces(
-  const std::vector<SkdBlock>& blocks, const SkdTriangleSet& set)
-{
-  const std::vector<int> bits = BitsOf(blocks);
-  if (std::count(bits.begin(), bits.end(), SkdFlushFaces::BitsOfFloat) == 0 ||
-    set.GetTriangles().empty())
-  {
-    return std::nullopt;
-  }
-  std::optional<SkdFlushFaces> faces(std::in_place, bits, set);
-  return faces->AreSomeOff() ? std::move(faces) : std::nullopt;
-}
-}
-
-//------------------------------------------------------------------------------
-int SkdCoordinateBits(vtkDataSet* mesh)
+int BitsOf(vtkDataSet* mesh)
 {
   auto* const points = vtkPointSet::SafeDownCast(mesh);
   if (!points || !points->GetPoints())
@@ -253,21 +222,41 @@ int SkdCoordinateBits(vtkDataSet* mesh)
   return areFloats ? SkdFlushFaces::BitsOfFloat : SkdFlushFaces::BitsOfDouble;
 }
 
-int SkdLeastCoordinateBits(const std::vector<SkdBlock>& blocks)
+/// None if there is nothing to align.
+std::optional<SkdFlushFaces> FindFlushFaces(
+  const std::vector<int>& bits, const SkdTriangleSet& set, const std::vector<std::uint32_t>* among)
 {
-  const std::vector<int> bits = BitsOf(blocks);
-  return bits.empty() ? SkdFlushFaces::BitsOfDouble : *std::min_element(bits.begin(), bits.end());
+  if (std::count(bits.begin(), bits.end(), SkdFlushFaces::BitsOfFloat) == 0 ||
+    set.GetTriangles().empty())
+  {
+    return std::nullopt;
+  }
+  std::optional<SkdFlushFaces> faces(std::in_place, bits, set, among);
+  return faces->AreSomeOff() ? std::move(faces) : std::nullopt;
+}
 }
 
 //------------------------------------------------------------------------------
-bool SkdHasFacesToAlign(const std::vector<SkdBlock>& blocks, const SkdTriangleSet& set)
+std::vector<int> SkdCoordinateBits(const std::vector<SkdBlock>& blocks)
 {
-  return FindFlushFaces(blocks, set).has_value();
+  std::vector<int> bits;
+  for (const SkdBlock& block : blocks)
+  {
+    bits.push_back(BitsOf(block.Mesh));
+  }
+  return bits;
 }
 
-vtkIdType SkdAlignFaces(const std::vector<SkdBlock>& blocks, SkdTriangleSet& set)
+//------------------------------------------------------------------------------
+bool SkdHasFacesToAlign(
+  const std::vector<int>& bits, const SkdTriangleSet& set, const std::vector<std::uint32_t>& among)
 {
-  std::optional<SkdFlushFaces> faces = FindFlushFaces(blocks, set);
+  return FindFlushFaces(bits, set, &among).has_value();
+}
+
+vtkIdType SkdAlignFaces(const std::vector<int>& bits, SkdTriangleSet& set)
+{
+  std::optional<SkdFlushFaces> faces = FindFlushFaces(bits, set, nullptr);
   if (!faces)
   {
     return 0;

@@ -18,20 +18,19 @@
 
 namespace skdtree
 {
-///@{
-/// The bits that the points of a data set were rounded to: 24 of floats, and of surfaces made of
-/// such (which say so, see SkdBooleanNames::CoordinateBits); else 53. The least of several.
-int SkdCoordinateBits(vtkDataSet* mesh);
-int SkdLeastCoordinateBits(const std::vector<SkdBlock>& blocks);
-///@}
+/// The bits that the points of data sets were rounded to: 24 of floats, and of surfaces made of
+/// such (which say so, see SkdBooleanNames::CoordinateBits); else 53.
+std::vector<int> SkdCoordinateBits(const std::vector<SkdBlock>& blocks);
 
 ///@{
 /// Where faces of two bodies are flush (SkdFlushFaces), moves their points into one plane, and
 /// along the planes of the faces beside them that have several triangles, by at most 128 roundings.
-/// Points of data sets of 53 bits stay. The set must not be merged. Returns how many points have
-/// moved, or whether some may.
-vtkIdType SkdAlignFaces(const std::vector<SkdBlock>& blocks, SkdTriangleSet& set);
-bool SkdHasFacesToAlign(const std::vector<SkdBlock>& blocks, const SkdTriangleSet& set);
+/// `bits` are those of the set's blocks; points of 53 bits stay. The set must not be merged.
+/// Returns how many points have moved; of a piece, whether some may, by those of its triangles that
+/// meet others.
+vtkIdType SkdAlignFaces(const std::vector<int>& bits, SkdTriangleSet& set);
+bool SkdHasFacesToAlign(
+  const std::vector<int>& bits, const SkdTriangleSet& set, const std::vector<std::uint32_t>& among);
 ///@}
 }
 

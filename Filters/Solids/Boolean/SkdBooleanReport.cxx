@@ -4,6 +4,8 @@
 
 #include "Bodies/SkdOuterSurface.h"
 #include "Pipeline/SkdReport.h"
+#include "Solids/Boolean/SkdBooleanNames.h"
+#include "Solids/Boolean/SkdFlushFaces.h"
 #include "vtkAlgorithm.h"
 
 #include <algorithm>
@@ -200,7 +202,9 @@ void SkdReportBoolean(vtkAlgorithm* filter, const SkdSolidArrangement& solids,
   const SkdBooleanRule& rule, const SkdBooleanTotals& totals, bool closesCut, SkdReport& report)
 {
   ReportInputs(solids, rule, report);
-  report.AddCount(SkdBooleanNames::CoordinateBits, solids.GetCoordinateBits());
+  const std::vector<int>& bits = solids.GetCoordinateBits();
+  report.AddCount(SkdBooleanNames::CoordinateBits,
+    bits.empty() ? SkdFlushFaces::BitsOfDouble : *std::min_element(bits.begin(), bits.end()));
   report.AddCount("PointsAligned", solids.GetNumberAligned());
   report.AddCount("TrianglesFolded", totals.NumberFolded);
   report.AddCount("TrianglesSplit",

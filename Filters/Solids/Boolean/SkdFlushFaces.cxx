@@ -4,8 +4,10 @@
 
 #include "Bodies/SkdEdgeTable.h"
 #include "Bodies/SkdWeld.h"
+#include "Cells/Read/SkdForEach.h"
 #include "Core/Geometry/DisjointSets.h"
 #include "Core/Search/Tree/PackedRTree.h"
+#include "Solids/Boolean/SkdFacingFacets.h"
 #include "Solids/Boolean/SkdRoundedPlane.h"
 
 #include <algorithm>
@@ -82,13 +84,19 @@ private:
 }
 
 //------------------------------------------------------------------------------
-SkdFlushFaces::SkdFlushFaces(const std::vector<int>& bits, const SkdTriangleSet& set)
+SkdFlushFaces::SkdFlushFaces(
+  const std::vector<int>& bits, const SkdTriangleSet& set, const std::vector<std::uint32_t>* among)
   : Bits(bits)
   , Set(set)
+  , Among(among)
 {
   this->Weld();
-  this->Edges = SkdMakeEdgeTable(this->Triangles, this->Points.size());
-  this->FindBodies();
+  this->FindTolerances();
+  if (!among)
+  {
+    this->Edges = SkdMakeEdgeTable(this->Triangles, this->Points.size());
+    this->FindBodies();
+  }
   this->FindPairs();
 }
 
@@ -106,16 +114,24 @@ bool SkdFlushFaces::AreSomeOff() const
 
 void SkdFlushFaces::FindPlanes()
 {
-  this->FitPlanes(this->FindFaces());
+  this->FindFaces();
+  this->FitPlanes();
   this->UniteFaces();
 }
 
 //------------------------------------------------------------------------------
-double SkdFlushFaces::ToleranceOf(std::uint32_t triangle) const
+void SkdFlushFaces::FindTolerances()
 {
   constexpr double roundings = 16.0;
-  const Triangle x = this->PositionsOf(triangle);
-  return this->IsExact(triangle) ? SkdToleranceOf(x) : roundings * Rounding * LargestOf(x);
+  this->Tolerances.resize(this->Triangles.size());
+  SkdForEach(static_cast<vtkIdType>(this->Triangles.size()),
+    [this](vtkIdType i)
+    {
+      const auto triangle = static_cast<std::uint32_t>(i);
+      const Triangle x = this->PositionsOf(triangle);
+      this->Tolerances[triangle] =
+        this->IsExact(triangle) ? SkdToleranceOf(x) : roundings * Rounding * LargestOf(x);
+    });
 }
 
 bool SkdFlushFaces::AreInOnePlane(std::uint32_t a, std::uint32_t b) const
@@ -184,28 +200,37 @@ void SkdFlushFaces::FindBodies()
   skd::DisjointSets<> sets(this->Triangles.size());
   this->ForEachNeighbours([&sets](std::uint32_t a, std::uint32_t b) { sets.Unite(a, b); });
   this->BodyOf = sets.Number();
+  this->NumberOfBodies =
+    this->BodyOf.empty() ? 0 : *std::max_element(this->BodyOf.begin(), this->BodyOf.end()) + 1;
 }
 
-/// The triangles whose boxes overlap those of other bodies, with these boxes.
+/// The triangles whose boxes overlap the boxes of bodies that are near theirs, with these boxes.
 std::vector<std::uint32_t> SkdFlushFaces::ListNear(std::vector<skd::Box3>& boxes) const
 {
   const auto n = static_cast<std::uint32_t>(this->Triangles.size());
-  std::vector<skd::Box3> ofBodies;
+  std::vector<skd::Box3> bodies(this->NumberOfBodies);
   for (std::uint32_t triangle = 0; triangle < n; ++triangle)
   {
-    ofBodies.resize(std::max<std::size_t>(ofBodies.size(), this->BodyOf[triangle] + 1));
-    ofBodies[this->BodyOf[triangle]].Add(this->BoxOf(triangle));
+    bodies[this->BodyOf[triangle]].Add(this->BoxOf(triangle));
+  }
+  const skd::PackedRTree tree(bodies);
+  std::vector<skd::Box3> others(bodies.size()); // around those near each body
+  for (std::uint32_t body = 0; body < bodies.size(); ++body)
+  {
+    tree.ForEachOverlapping(bodies[body],
+      [&](std::uint32_t other)
+      {
+        if (other != body && bodies[body].Overlaps(bodies[other]))
+        {
+          others[body].Add(bodies[other]);
+        }
+      });
   }
   std::vector<std::uint32_t> near;
-  const skd::PackedRTree tree(ofBodies);
-  for (std::uint32_t triangle = 0; ofBodies.size() > 1 && triangle < n; ++triangle)
+  for (std::uint32_t triangle = 0; triangle < n; ++triangle)
   {
     const skd::Box3 box = this->BoxOf(triangle);
-    bool isNear = false;
-    tree.ForEachOverlapping(box,
-      [&](std::uint32_t body)
-      { isNear = isNear || (body != this->BodyOf[triangle] && ofBodies[body].Overlaps(box)); });
-    if (isNear)
+    if (box.Overlaps(others[this->BodyOf[triangle]]))
     {
       near.push_back(triangle);
       boxes.push_back(box);
@@ -214,30 +239,54 @@ std::vector<std::uint32_t> SkdFlushFaces::ListNear(std::vector<skd::Box3>& boxes
   return near;
 }
 
+bool SkdFlushFaces::AreOfTwoBodies(std::uint32_t a, std::uint32_t b) const
+{
+  if (!this->Among)
+  {
+    return this->BodyOf[a] != this->BodyOf[b];
+  }
+  const Corners& first = this->Triangles[a];
+  const Corners& second = this->Triangles[b];
+  const auto isShared = [&](std::uint32_t point)
+  { return std::find(second.begin(), second.end(), point) != second.end(); };
+  const Triangle x = this->PositionsOf(a);
+  return this->BlockOf(a) != this->BlockOf(b) ||
+    (std::none_of(first.begin(), first.end(), isShared) &&
+      SkdDoOverlap(x, this->PositionsOf(b), AreaOf(x), this->ToleranceOf(a)));
+}
+
 /// Pairs of triangles of two bodies, one of which at least may be moved.
 void SkdFlushFaces::FindPairs()
 {
   std::vector<skd::Box3> boxes;
-  const std::vector<std::uint32_t> near = this->ListNear(boxes);
-  const skd::PackedRTree tree(boxes);
-  for (std::uint32_t i = 0; i < near.size(); ++i)
+  const std::vector<std::uint32_t> near = this->Among ? *this->Among : this->ListNear(boxes);
+  for (std::size_t i = boxes.size(); i < near.size(); ++i)
   {
-    tree.ForEachOverlapping(boxes[i],
-      [&](std::uint32_t k)
+    boxes.push_back(this->BoxOf(near[i]));
+  }
+  const skd::PackedRTree tree(boxes);
+  skd::PackedRTree::OverlapLists lists;
+  const auto visit = [&](std::uint32_t i, const std::vector<std::uint32_t>& others)
+  {
+    for (const std::uint32_t k : others)
+    {
+      const auto [first, second] = std::minmax(near[i], near[k]);
+      if (boxes[i].Overlaps(boxes[k]) && this->AreOfTwoBodies(first, second) &&
+        !(this->IsExact(first) && this->IsExact(second)) && this->AreInOnePlane(first, second))
       {
-        const bool isPair = i < k && this->BodyOf[near[i]] != this->BodyOf[near[k]] &&
-          boxes[i].Overlaps(boxes[k]) && !(this->IsExact(near[i]) && this->IsExact(near[k]));
-        if (isPair && this->AreInOnePlane(near[i], near[k]))
-        {
-          this->Pairs.emplace_back(near[i], near[k]);
-        }
-      });
+        this->Pairs.emplace_back(first, second);
+      }
+    }
+    return true;
+  };
+  for (std::size_t packet = 0; packet < tree.GetNumberOfPackets(); ++packet)
+  {
+    tree.ForEachOverlapWithin(packet, lists, visit);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Returns the widest triangle of the face of each one.
-std::vector<std::uint32_t> SkdFlushFaces::FindFaces()
+void SkdFlushFaces::FindFaces()
 {
   const auto n = static_cast<std::uint32_t>(this->Triangles.size());
   skd::DisjointSets<> sets(n);
@@ -262,49 +311,69 @@ std::vector<std::uint32_t> SkdFlushFaces::FindFaces()
         widest[sets.Find(a)] = plane;
       }
     });
-  for (std::uint32_t triangle = 0; triangle < n; ++triangle)
-  {
-    widest[triangle] = widest[sets.Find(triangle)]; // that of the lowest of a set does not change
-  }
   this->FaceOf = sets.Number();
-  return widest;
+  const std::size_t count =
+    static_cast<std::size_t>(*std::max_element(this->FaceOf.begin(), this->FaceOf.end())) + 1;
+  this->TrianglesOf = skd::IndexRows(count,
+    [this](const auto& add)
+    {
+      for (std::uint32_t triangle = 0; triangle < this->FaceOf.size(); ++triangle)
+      {
+        add(this->FaceOf[triangle], triangle);
+      }
+    });
 }
 
-void SkdFlushFaces::FitPlanes(const std::vector<std::uint32_t>& widest)
+void SkdFlushFaces::FitPlanes()
 {
-  const auto n = static_cast<std::uint32_t>(this->Triangles.size());
-  for (std::uint32_t triangle = 0; triangle < n; ++triangle)
+  this->Faces.resize(this->TrianglesOf.size());
+  SkdForEach(static_cast<vtkIdType>(this->Faces.size()),
+    [this](vtkIdType i)
+    {
+      const skd::IndexRows::Row triangles = this->TrianglesOf[static_cast<std::size_t>(i)];
+      SkdFacePlane plane = this->FitPlane(triangles);
+      plane.IsFlat = plane.Area > 0.0 &&
+        std::all_of(triangles.begin(), triangles.end(),
+          [&](std::uint32_t triangle) { return this->IsIn(triangle, plane); });
+      this->Faces[static_cast<std::size_t>(i)] = plane;
+    });
+}
+
+SkdFacePlane SkdFlushFaces::FitPlane(const skd::IndexRows::Row& triangles) const
+{
+  SkdFacePlane plane;
+  auto& [first, second, third] = plane.Corners;
+  // The point with the largest value of all, of equal ones the least by coordinates.
+  const auto findLargest = [&](const auto& valueOf)
   {
-    this->Faces.resize(std::max<std::size_t>(this->Faces.size(), this->FaceOf[triangle] + 1));
-    SkdFacePlane& face = this->Faces[this->FaceOf[triangle]];
-    const Triangle x = this->PositionsOf(triangle);
-    const Triangle first = this->PositionsOf(widest[triangle]);
-    const double sign = Dot(AreaOf(x), AreaOf(first)) < 0.0 ? -1.0 : 1.0;
-    face.Normal = face.Normal + sign * AreaOf(x);
-    face.Origin = first[0];
-    face.Largest = std::max(face.Largest, LargestOf(x));
-    face.IsExact = face.IsExact && this->IsExact(triangle);
-    ++face.Size;
-  }
-  for (SkdFacePlane& face : this->Faces)
+    skd::Vector3 largest{};
+    double value = -1.0;
+    for (const std::uint32_t triangle : triangles)
+    {
+      for (const skd::Vector3& x : this->PositionsOf(triangle))
+      {
+        const double its = valueOf(x);
+        const bool isLarger = its > value || (its == value && x < largest);
+        largest = isLarger ? x : largest;
+        value = isLarger ? its : value;
+      }
+    }
+    return largest;
+  };
+  first = findLargest([](const skd::Vector3&) { return 0.0; });
+  second = findLargest([&](const skd::Vector3& x) { return Distance2(x, first); });
+  third =
+    findLargest([&](const skd::Vector3& x) { return Norm2(Cross(second - first, x - first)); });
+  const skd::Vector3 normal = AreaOf(plane.Corners);
+  plane.Area = Norm(normal);
+  plane.Normal = plane.Area > 0.0 ? (1.0 / plane.Area) * normal : normal;
+  plane.IsSingle = triangles.size() == 1;
+  for (const std::uint32_t triangle : triangles)
   {
-    face.Area = Norm(face.Normal);
-    face.IsFlat = face.Area > 0.0;
-    face.Normal = face.IsFlat ? (1.0 / face.Area) * face.Normal : face.Normal;
+    plane.Largest = std::max(plane.Largest, LargestOf(this->PositionsOf(triangle)));
+    plane.IsExact = plane.IsExact && this->IsExact(triangle);
   }
-  for (std::uint32_t triangle = 0; triangle < n; ++triangle)
-  {
-    SkdFacePlane& face = this->Faces[this->FaceOf[triangle]];
-    const Triangle x = this->PositionsOf(triangle);
-    const skd::Vector3& o = face.Origin;
-    const double height = Dot(face.Normal, (x[0] - o) + (x[1] - o) + (x[2] - o)) / 3.0;
-    face.Distance += face.IsFlat ? Norm(AreaOf(x)) / face.Area * height : 0.0;
-  }
-  for (std::uint32_t triangle = 0; triangle < n; ++triangle)
-  {
-    SkdFacePlane& face = this->Faces[this->FaceOf[triangle]];
-    face.IsFlat = face.IsFlat && this->IsIn(triangle, face);
-  }
+  return plane;
 }
 
 //------------------------------------------------------------------------------
@@ -346,18 +415,10 @@ void SkdFlushFaces::AddTouching(std::set<Pair>& pairs) const
 /// In one group are faces that are all in the plane of the first of them.
 void SkdFlushFaces::UniteFaces()
 {
-  const skd::IndexRows triangles(this->Faces.size(),
-    [this](const auto& add)
-    {
-      for (std::uint32_t triangle = 0; triangle < this->FaceOf.size(); ++triangle)
-      {
-        add(this->FaceOf[triangle], triangle);
-      }
-    });
   const auto isIn = [&](std::uint32_t face, std::uint32_t plane)
   {
     return this->Faces[face].IsFlat &&
-      std::all_of(triangles[face].begin(), triangles[face].end(),
+      std::all_of(this->TrianglesOf[face].begin(), this->TrianglesOf[face].end(),
         [&](std::uint32_t triangle) { return this->IsIn(triangle, this->Faces[plane]); });
   };
   std::set<Pair> pairs;

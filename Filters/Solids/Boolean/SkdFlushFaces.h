@@ -9,6 +9,7 @@
 #define SkdFlushFaces_h
 
 #include "Core/Geometry/EdgeTable.h"
+#include "Core/Geometry/Rows.h"
 #include "Solids/Surfaces/SkdTriangleSet.h"
 
 #include <limits>
@@ -18,27 +19,27 @@
 
 namespace skdtree
 {
-/// The mean plane of a face: of triangles in one plane, to within rounding, that edges connect.
+/// The plane of a face: of triangles in one plane, to within rounding, that edges connect. It is
+/// that of three of its points which are far apart, so it does not depend on the order of anything.
 struct SkdFacePlane
 {
+  std::array<skd::Vector3, 3> Corners{};
   skd::Vector3 Normal{}; // of length 1
-  skd::Vector3 Origin{};
-  double Distance = 0.0;  // from the origin
-  double Area = 0.0;      // twice
-  double Largest = 0.0;   // coordinate
-  std::uint32_t Size = 0; // triangles
-  bool IsExact = true;    // of points that are no floats
-  bool IsFlat = true;     // else points are farther away from it than rounding
+  double Area = 0.0;     // of the three, twice
+  double Largest = 0.0;  // coordinate
+  bool IsSingle = true;  // triangle
+  bool IsExact = true;   // of points that are no floats
+  bool IsFlat = false;   // else points are farther away from it than rounding
 
   /// How far a point is in front of it.
-  double HeightOf(const skd::Vector3& x) const
-  {
-    return Dot(this->Normal, x - this->Origin) - this->Distance;
-  }
+  double HeightOf(const skd::Vector3& x) const { return Dot(this->Normal, x - this->Corners[0]); }
+
   /// Whether others are put in its plane, rather than it in theirs.
   bool ComesBefore(const SkdFacePlane& other) const
   {
-    return this->IsExact != other.IsExact ? this->IsExact : this->Area > other.Area;
+    return this->IsExact != other.IsExact ? this->IsExact
+      : this->Area != other.Area          ? this->Area > other.Area
+                                          : this->Corners < other.Corners;
   }
 };
 
@@ -57,8 +58,11 @@ public:
 
   /// `bits` are those of the coordinates of each block. Finds triangles of two bodies that lie in
   /// one plane, on each other or side by side, to within 16 roundings: O(n) where bodies are apart,
-  /// else O(n log n).
-  SkdFlushFaces(const std::vector<int>& bits, const SkdTriangleSet& set);
+  /// else O(n log n). Of a piece of surfaces only `among` are looked at, ascending, as edges do not
+  /// tell bodies there: triangles of two blocks, or of one if they overlap and have no common
+  /// point.
+  SkdFlushFaces(const std::vector<int>& bits, const SkdTriangleSet& set,
+    const std::vector<std::uint32_t>* among = nullptr);
 
   /// Whether some of these are not in one plane to the rounding of doubles.
   bool AreSomeOff() const;
@@ -105,30 +109,37 @@ private:
     const Corners& corners = this->Triangles[triangle];
     return { this->Points[corners[0]], this->Points[corners[1]], this->Points[corners[2]] };
   }
-  double ToleranceOf(std::uint32_t triangle) const;
+  double ToleranceOf(std::uint32_t triangle) const { return this->Tolerances[triangle]; }
   bool AreInOnePlane(std::uint32_t a, std::uint32_t b) const;
   bool IsIn(std::uint32_t triangle, const SkdFacePlane& plane) const;
   skd::Box3 BoxOf(std::uint32_t triangle) const;
   template <class Visit>
   void ForEachNeighbours(const Visit& visit) const;
   void Weld();
+  void FindTolerances();
   void FindBodies();
   std::vector<std::uint32_t> ListNear(std::vector<skd::Box3>& boxes) const;
+  bool AreOfTwoBodies(std::uint32_t a, std::uint32_t b) const;
   void FindPairs();
-  std::vector<std::uint32_t> FindFaces();
-  void FitPlanes(const std::vector<std::uint32_t>& widest);
+  void FindFaces();
+  void FitPlanes();
+  SkdFacePlane FitPlane(const skd::IndexRows::Row& triangles) const;
   void AddTouching(std::set<Pair>& pairs) const;
   void UniteFaces();
 
   const std::vector<int> Bits;
   const SkdTriangleSet& Set;
+  const std::vector<std::uint32_t>* const Among;
   std::vector<std::uint32_t> PointOf;
   std::vector<skd::Vector3> Points;
   std::vector<Corners> Triangles;
   skd::EdgeTable<> Edges;
+  std::vector<double> Tolerances;    // of each triangle
   std::vector<std::uint32_t> BodyOf; // each triangle
+  std::uint32_t NumberOfBodies = 0;
   std::vector<Pair> Pairs;           // of triangles in one plane
   std::vector<std::uint32_t> FaceOf; // each triangle
+  skd::IndexRows TrianglesOf;        // each face
   std::vector<SkdFacePlane> Faces;
   std::vector<bool> AreFlush;         // of each face
   std::vector<std::uint32_t> PlaneOf; // the same

@@ -64,16 +64,18 @@ bool MayBeNear(const SkdBooleanBlocks& blocks, SkdBooleanOperation operation)
 bool SkdSolidArrangement::Read(
   const SkdBooleanBlocks& blocks, double chordalDeviation, SkdTriangleSet& to)
 {
-  if (blocks.AlignsFaces != this->AlignsFaces)
+  const bool isToBeAligned = blocks.AlignsFaces && !this->Spread;
+  if (isToBeAligned != this->IsAligned)
   {
     to = SkdTriangleSet();
-    this->AlignsFaces = blocks.AlignsFaces;
+    this->IsAligned = isToBeAligned;
   }
   const bool isRead = to.Update(blocks.All, chordalDeviation);
   if (isRead)
   {
-    this->NumberAligned = this->AlignsFaces && !this->Spread ? SkdAlignFaces(blocks.All, to) : 0;
-    this->CoordinateBits = SkdLeastCoordinateBits(blocks.All);
+    this->CoordinateBits =
+      this->Spread ? this->Spread->GetCoordinateBits() : SkdCoordinateBits(blocks.All);
+    this->NumberAligned = this->IsAligned ? SkdAlignFaces(this->CoordinateBits, to) : 0;
   }
   return isRead;
 }
@@ -197,7 +199,9 @@ bool SkdSolidArrangement::Update(const SkdBooleanBlocks& blocks, double chordalD
       filter, "The Source is moved to where coordinates are not finite; there is no output.");
     return false;
   }
-  if (this->Spread && blocks.AlignsFaces && SkdHasFacesToAlign(blocks.All, this->Triangles))
+  if (this->Spread && blocks.AlignsFaces &&
+    SkdHasFacesToAlign(
+      this->CoordinateBits, this->Triangles, this->Spread->ListInContact(this->Triangles)))
   {
     this->ForgetArrangement();
     return false; // faces may be those of other processes, too

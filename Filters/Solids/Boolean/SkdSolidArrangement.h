@@ -182,9 +182,9 @@ public:
   ///@}
 
   ///@{
-  /// See SkdAlignFaces: points that were moved, and the least bits of data sets.
+  /// See SkdAlignFaces: points that were moved, and the bits of each block.
   vtkIdType GetNumberAligned() const { return this->NumberAligned; }
-  int GetCoordinateBits() const { return this->CoordinateBits; }
+  const std::vector<int>& GetCoordinateBits() const { return this->CoordinateBits; }
   ///@}
 
   ///@{
@@ -271,9 +271,9 @@ private:
   const SkdSpreadSolids* Spread = nullptr;
   SkdTransport* Transport = nullptr;
   SkdTriangleSet Triangles;
-  bool AlignsFaces = false;
+  bool IsAligned = false; // the triangles
   vtkIdType NumberAligned = 0;
-  int CoordinateBits = 0;
+  std::vector<int> CoordinateBits;      // of each block
   std::optional<SkdTriangleSet> AsRead; // with the Source where it was, if that has moved
   std::optional<skd::RigidMotion> Motion;
   SkdPairCache OfInput;

@@ -13,6 +13,7 @@
 #include "Solids/Boolean/SkdArrangement.h"
 #include "Solids/Boolean/SkdBooleanNames.h"
 #include "Solids/Boolean/SkdEdgeSums.h"
+#include "Solids/Boolean/SkdFlushFaces.h"
 #include "vtkCellData.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ struct Facts
   skd::Box3 Bounds;
   double Largest = 0.0;
   double Least = std::numeric_limits<double>::infinity();
-  int CoordinateBits = std::numeric_limits<int>::max();
+  int Bits[2] = { SkdFlushFaces::BitsOfDouble, SkdFlushFaces::BitsOfDouble }; // of coordinates
   SkdEdgeSums Edges[2];
 
   void Add(const Facts& other)
@@ -49,7 +50,8 @@ struct Facts
     this->Bounds.Add(other.Bounds);
     this->Largest = std::max(this->Largest, other.Largest);
     this->Least = std::min(this->Least, other.Least);
-    this->CoordinateBits = std::min(this->CoordinateBits, other.CoordinateBits);
+    this->Bits[0] = std::min(this->Bits[0], other.Bits[0]);
+    this->Bits[1] = std::min(this->Bits[1], other.Bits[1]);
     this->Edges[0].Add(other.Edges[0]);
     this->Edges[1].Add(other.Edges[1]);
   }
@@ -93,14 +95,13 @@ public:
   }
 
   /// Where this process's cells go: those that stay, and those that meet others.
-  SkdDealt Find(Destinations& staying, Destinations& inContact, skd::Vector3& center)
+  SkdDealt Find(Destinations& staying, Destinations& inContact)
   {
     const SkdPlacement placement = SkdMakePlacement(this->Set, nullptr, std::nullopt);
     if (!this->AreFit(placement))
     {
       return SkdDealt::Unfit;
     }
-    center = this->Center;
     this->FindBoxes();
     this->FindContacts();
     if (SkdMostOf(this->Transport, SkdIsAborted(this->Filter) ? 1 : 0) > 0)
@@ -110,6 +111,10 @@ public:
     this->ListDestinations(staying, inContact);
     return SkdDealt::Done;
   }
+
+  /// Of all processes: the middle of the bounds of cells, and the least bits of each input.
+  const skd::Vector3& GetCenter() const { return this->Center; }
+  const std::vector<int>& GetBits() const { return this->Bits; }
 
 private:
   int InputOf(const SkdTriangleSet::Cell& cell) const
@@ -167,7 +172,8 @@ private:
     facts.Bounds = this->Set.GetBounds();
     facts.Largest = this->Set.GetLargestCoordinate();
     facts.Least = this->Set.GetLeastCoordinate();
-    facts.CoordinateBits = SkdLeastCoordinateBits(this->Blocks.All);
+    const std::vector<int> bits = SkdCoordinateBits(this->Blocks.All);
+    std::copy_n(bits.begin(), std::min<std::size_t>(bits.size(), 2), facts.Bits);
     for (std::uint32_t triangle = 0; triangle < this->Set.GetTriangles().size(); ++triangle)
     {
       const SkdTriangleSet::Cell& cell = this->Set.GetCells()[this->Set.GetCellOf(triangle)];
@@ -184,7 +190,9 @@ private:
       all.Add(told.front());
     }
     this->Center = 0.5 * (all.Bounds.Min + all.Bounds.Max);
-    const bool areFloats = all.CoordinateBits <= std::numeric_limits<float>::digits;
+    this->Bits.assign(std::begin(all.Bits), std::end(all.Bits));
+    const bool areFloats =
+      std::count(this->Bits.begin(), this->Bits.end(), SkdFlushFaces::BitsOfFloat) > 0;
     this->Margin = (areFloats ? MarginOfFloats : MarginOfDoubles) * all.Largest;
     return all.AreFit();
   }
@@ -460,8 +468,9 @@ private:
   const SkdBooleanBlocks Blocks;       // what this process has
   const std::vector<SkdJoinedIds> Ids; // of its cells
   SkdTriangleSet Set;
-  double Margin = 0.0;              // of boxes
-  skd::Vector3 Center{};            // of the bounds of all processes' cells
+  std::vector<int> Bits;
+  double Margin = 0.0; // of boxes
+  skd::Vector3 Center{};
   std::vector<std::uint32_t> Own;   // the cells of the set that this process counts
   std::vector<std::uint32_t> Slots; // of each cell of the set its place among these, or None
   std::vector<bool> HasContact;     // by own cell
@@ -496,7 +505,10 @@ SkdDealt SkdSpreadSolids::Update(const SkdSpreadSource& input, const SkdSpreadSo
   this->KnownDeviation = chordalDeviation;
   Destinations staying;
   Destinations inContact;
-  this->Result = Dealer(sources, chordalDeviation, filter).Find(staying, inContact, this->Center);
+  Dealer dealer(sources, chordalDeviation, filter);
+  this->Result = dealer.Find(staying, inContact);
+  this->Center = dealer.GetCenter();
+  this->CoordinateBits = dealer.GetBits();
   SkdTransport& transport = input.GetTransport();
   for (std::size_t i = 0; i < 2 && this->Result == SkdDealt::Done; ++i)
   {

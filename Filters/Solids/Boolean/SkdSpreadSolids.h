@@ -56,6 +56,9 @@ public:
   /// The middle of the bounds of all.
   const skd::Vector3& GetCenter() const { return this->Center; }
 
+  /// Of each input, the least of all processes: see SkdAlignFaces.
+  const std::vector<int>& GetCoordinateBits() const { return this->CoordinateBits; }
+
   /// The cells of the whole of each input.
   const std::array<vtkIdType, 2>& GetNumbersOfCells() const { return this->NumbersOfCells; }
 
@@ -68,6 +71,7 @@ private:
   std::array<std::vector<vtkIdType>, 2> InContact; // ids in the whole, ascending
   std::array<vtkIdType, 2> NumbersOfCells{ { 0, 0 } };
   vtkIdType NumberInContact = 0;
+  std::vector<int> CoordinateBits;
   skd::Vector3 Center{};
 };
 }
