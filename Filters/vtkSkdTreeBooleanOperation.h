@@ -91,7 +91,8 @@
  * outputs a part; together these have the same faces, to the last bit, ids and numbers of faces as
  * the output of one process that has all. SkdReportCellsInContact counts the cells that came
  * together. Whether the output is closed is told of all parts together; if it is not, and in all
- * other cases, the pieces are gathered, and the first process computes all.
+ * other cases, the pieces are gathered, and the first process computes all; so they are where faces
+ * of the two inputs are to be aligned (AlignFaces), as other triangles of these may be anywhere.
  *
  * Bad input: a surface that is open or has faces of opposite orientation side by side is an error
  * that tells where, and there is no output (see OpenSurfaces for scans). Triangles without area are

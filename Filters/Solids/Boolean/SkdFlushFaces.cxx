@@ -37,13 +37,19 @@ skd::Vector3 AreaOf(const Triangle& x)
   return Cross(x[1] - x[0], x[2] - x[0]);
 }
 
+/// Whether the plane of a triangle means something, to within a tolerance of its points.
+bool IsWide(double width, double tolerance)
+{
+  constexpr double least = 256.0; // tolerances
+  return width > least * tolerance;
+}
+
 /// Whether one is in the plane of the other, that of the wider one.
 bool AreInOnePlaneWithin(const Triangle& first, const Triangle& second, double tolerance)
 {
-  constexpr double least = 16.0; // tolerances: the plane of a narrower one means little
   const double widths[] = { SkdWidthOf(first), SkdWidthOf(second) };
   const bool isFirstWider = widths[0] >= widths[1];
-  return std::max(widths[0], widths[1]) > least * tolerance &&
+  return IsWide(std::max(widths[0], widths[1]), tolerance) &&
     SkdRoundedPlane(isFirstWider ? first : second, tolerance)
       .Contains(isFirstWider ? second : first);
 }
@@ -115,7 +121,8 @@ bool SkdFlushFaces::AreSomeOff() const
 void SkdFlushFaces::FindPlanes()
 {
   this->FindFaces();
-  this->FitPlanes();
+  this->Faces.resize(this->TrianglesOf.size());
+  this->AreFitted.assign(this->Faces.size(), false);
   this->UniteFaces();
 }
 
@@ -204,8 +211,8 @@ void SkdFlushFaces::FindBodies()
     this->BodyOf.empty() ? 0 : *std::max_element(this->BodyOf.begin(), this->BodyOf.end()) + 1;
 }
 
-/// The triangles whose boxes overlap the boxes of bodies that are near theirs, with these boxes.
-std::vector<std::uint32_t> SkdFlushFaces::ListNear(std::vector<skd::Box3>& boxes) const
+/// The triangles whose boxes overlap the boxes of bodies that are near theirs.
+std::vector<std::uint32_t> SkdFlushFaces::ListNear() const
 {
   const auto n = static_cast<std::uint32_t>(this->Triangles.size());
   std::vector<skd::Box3> bodies(this->NumberOfBodies);
@@ -229,11 +236,9 @@ std::vector<std::uint32_t> SkdFlushFaces::ListNear(std::vector<skd::Box3>& boxes
   std::vector<std::uint32_t> near;
   for (std::uint32_t triangle = 0; triangle < n; ++triangle)
   {
-    const skd::Box3 box = this->BoxOf(triangle);
-    if (box.Overlaps(others[this->BodyOf[triangle]]))
+    if (this->BoxOf(triangle).Overlaps(others[this->BodyOf[triangle]]))
     {
       near.push_back(triangle);
-      boxes.push_back(box);
     }
   }
   return near;
@@ -255,14 +260,18 @@ bool SkdFlushFaces::AreOfTwoBodies(std::uint32_t a, std::uint32_t b) const
       SkdDoOverlap(x, this->PositionsOf(b), AreaOf(x), this->ToleranceOf(a)));
 }
 
-/// Pairs of triangles of two bodies, one of which at least may be moved.
+/// Pairs of wide triangles of two bodies, one of which at least may be moved.
 void SkdFlushFaces::FindPairs()
 {
+  std::vector<std::uint32_t> near = this->Among ? *this->Among : this->ListNear();
+  const auto isNarrow = [this](std::uint32_t triangle)
+  { return !IsWide(SkdWidthOf(this->PositionsOf(triangle)), this->ToleranceOf(triangle)); };
+  near.erase(std::remove_if(near.begin(), near.end(), isNarrow), near.end());
   std::vector<skd::Box3> boxes;
-  const std::vector<std::uint32_t> near = this->Among ? *this->Among : this->ListNear(boxes);
-  for (std::size_t i = boxes.size(); i < near.size(); ++i)
+  boxes.reserve(near.size());
+  for (const std::uint32_t triangle : near)
   {
-    boxes.push_back(this->BoxOf(near[i]));
+    boxes.push_back(this->BoxOf(triangle));
   }
   const skd::PackedRTree tree(boxes);
   skd::PackedRTree::OverlapLists lists;
@@ -271,7 +280,8 @@ void SkdFlushFaces::FindPairs()
     for (const std::uint32_t k : others)
     {
       const auto [first, second] = std::minmax(near[i], near[k]);
-      if (boxes[i].Overlaps(boxes[k]) && this->AreOfTwoBodies(first, second) &&
+      if ((this->Among || this->BodyOf[first] != this->BodyOf[second]) &&
+        boxes[i].Overlaps(boxes[k]) && this->AreOfTwoBodies(first, second) &&
         !(this->IsExact(first) && this->IsExact(second)) && this->AreInOnePlane(first, second))
       {
         this->Pairs.emplace_back(first, second);
@@ -324,19 +334,20 @@ void SkdFlushFaces::FindFaces()
     });
 }
 
-void SkdFlushFaces::FitPlanes()
+/// Finds the plane of a face, unless that is done.
+void SkdFlushFaces::Fit(std::uint32_t face)
 {
-  this->Faces.resize(this->TrianglesOf.size());
-  SkdForEach(static_cast<vtkIdType>(this->Faces.size()),
-    [this](vtkIdType i)
-    {
-      const skd::IndexRows::Row triangles = this->TrianglesOf[static_cast<std::size_t>(i)];
-      SkdFacePlane plane = this->FitPlane(triangles);
-      plane.IsFlat = plane.Area > 0.0 &&
-        std::all_of(triangles.begin(), triangles.end(),
-          [&](std::uint32_t triangle) { return this->IsIn(triangle, plane); });
-      this->Faces[static_cast<std::size_t>(i)] = plane;
-    });
+  if (this->AreFitted[face])
+  {
+    return;
+  }
+  const skd::IndexRows::Row triangles = this->TrianglesOf[face];
+  SkdFacePlane& plane = this->Faces[face];
+  plane = this->FitPlane(triangles);
+  plane.IsFlat = plane.Area > 0.0 &&
+    std::all_of(triangles.begin(), triangles.end(),
+      [&](std::uint32_t triangle) { return this->IsIn(triangle, plane); });
+  this->AreFitted[face] = true;
 }
 
 SkdFacePlane SkdFlushFaces::FitPlane(const skd::IndexRows::Row& triangles) const
@@ -377,13 +388,71 @@ SkdFacePlane SkdFlushFaces::FitPlane(const skd::IndexRows::Row& triangles) const
 }
 
 //------------------------------------------------------------------------------
-/// Faces that have a point in common and are parallel, or nearly: those of what an operation before
-/// has made may be on two sides of an edge at which more faces meet.
-void SkdFlushFaces::AddTouching(std::set<Pair>& pairs) const
+/// Adds pairs of faces that have a point in common and are parallel, or nearly, beginning at those
+/// of the pairs that are there: those of what an operation before has made may be on two sides of
+/// an edge at which more faces meet. All faces at these points are fitted.
+void SkdFlushFaces::AddTouching(std::set<Pair>& pairs)
 {
   constexpr double least = 1.0 - 1e-5;
   constexpr std::size_t most = 64; // faces, which are compared with each other
-  const skd::IndexRows facesAt(this->Points.size(),
+  const skd::IndexRows facesAt = this->ListFacesAtPoints();
+  std::vector<bool> isReached(this->Points.size(), false);
+  std::vector<bool> isListed(this->Faces.size(), false);
+  std::vector<std::uint32_t> open;
+  const auto list = [&](std::uint32_t face)
+  {
+    if (!isListed[face])
+    {
+      isListed[face] = true;
+      open.push_back(face);
+    }
+  };
+  for (const auto& [a, b] : pairs)
+  {
+    list(a);
+    list(b);
+  }
+  const auto addAt = [&](std::uint32_t point)
+  {
+    std::vector<std::uint32_t> faces(facesAt[point].begin(), facesAt[point].end());
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      this->Fit(faces[i]);
+      for (std::size_t k = 0; k < i && faces.size() <= most; ++k)
+      {
+        const double cosine = Dot(this->Faces[faces[k]].Normal, this->Faces[faces[i]].Normal);
+        if (std::abs(cosine) > least)
+        {
+          pairs.emplace(faces[k], faces[i]);
+          list(faces[k]);
+          list(faces[i]);
+        }
+      }
+    }
+  };
+  while (!open.empty())
+  {
+    const std::uint32_t face = open.back();
+    open.pop_back();
+    for (const std::uint32_t triangle : this->TrianglesOf[face])
+    {
+      for (const std::uint32_t corner : this->Triangles[triangle])
+      {
+        if (!isReached[corner])
+        {
+          isReached[corner] = true;
+          addAt(corner);
+        }
+      }
+    }
+  }
+}
+
+skd::IndexRows SkdFlushFaces::ListFacesAtPoints() const
+{
+  return skd::IndexRows(this->Points.size(),
     [this](const auto& add)
     {
       for (std::uint32_t triangle = 0; triangle < this->Triangles.size(); ++triangle)
@@ -394,22 +463,6 @@ void SkdFlushFaces::AddTouching(std::set<Pair>& pairs) const
         }
       }
     });
-  for (std::uint32_t point = 0; point < this->Points.size(); ++point)
-  {
-    std::vector<std::uint32_t> faces(facesAt[point].begin(), facesAt[point].end());
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    for (std::size_t i = 0; i < faces.size() && faces.size() <= most; ++i)
-    {
-      for (std::size_t k = 0; k < i; ++k)
-      {
-        if (std::abs(Dot(this->Faces[faces[k]].Normal, this->Faces[faces[i]].Normal)) > least)
-        {
-          pairs.emplace(faces[k], faces[i]);
-        }
-      }
-    }
-  }
 }
 
 /// In one group are faces that are all in the plane of the first of them.

@@ -118,13 +118,14 @@ private:
   void Weld();
   void FindTolerances();
   void FindBodies();
-  std::vector<std::uint32_t> ListNear(std::vector<skd::Box3>& boxes) const;
+  std::vector<std::uint32_t> ListNear() const;
   bool AreOfTwoBodies(std::uint32_t a, std::uint32_t b) const;
   void FindPairs();
   void FindFaces();
-  void FitPlanes();
+  void Fit(std::uint32_t face);
   SkdFacePlane FitPlane(const skd::IndexRows::Row& triangles) const;
-  void AddTouching(std::set<Pair>& pairs) const;
+  void AddTouching(std::set<Pair>& pairs);
+  skd::IndexRows ListFacesAtPoints() const;
   void UniteFaces();
 
   const std::vector<int> Bits;
@@ -141,6 +142,7 @@ private:
   std::vector<std::uint32_t> FaceOf; // each triangle
   skd::IndexRows TrianglesOf;        // each face
   std::vector<SkdFacePlane> Faces;
+  std::vector<bool> AreFitted;        // faces
   std::vector<bool> AreFlush;         // of each face
   std::vector<std::uint32_t> PlaneOf; // the same
 };
