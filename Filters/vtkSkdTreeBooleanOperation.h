@@ -215,9 +215,9 @@ public:
    * of what their surfaces were made of: see SkdReportCoordinateBits) are put in one plane, that of
    * the largest, before all else. Without that, faces of bodies that were turned cross each other,
    * or have gaps between them, as exact tests see them: walls and slivers stay. Faces count as
-   * flush within 16 roundings (2^-24 of their largest coordinate); their points move by at most
-   * 128, points of doubles not at all. That is so of the inputs as they are, not as a motion places
-   * the Source. Default on.
+   * flush within 16 roundings (2^-24 of each coordinate, along its axis); their points move by at
+   * most 128, points of doubles not at all, nor those of plates that are thinner than that. That is
+   * so of the inputs as they are, not as a motion places the Source. Default on.
    */
   vtkSetMacro(AlignFaces, vtkTypeBool);
   vtkGetMacro(AlignFaces, vtkTypeBool);

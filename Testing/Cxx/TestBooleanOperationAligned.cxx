@@ -201,4 +201,78 @@ TEST(BooleanOperationAligned, StackedCylinders)
     EXPECT_EQ(Reported(OutputOf(filter), "BadEdges"), 0.0);
   }
 }
+
+/// Roundings are those of each coordinate along its axis: heights far from the origin are exact.
+TEST(BooleanOperationAligned, HeightsFarFromTheOriginStay)
+{
+  const Point corner = { 500000, 4000000, 30 };
+  const auto box = [&](const Point& low, const Point& high)
+  { return MakePolyData(BoxTriangles(corner + low, corner + high), VTK_FLOAT); };
+  const Surface house = box({ 0, 0, 0 }, { 200, 200, 30 });
+  const Surface beside = Combine(house, box({ 200, 0, 0 }, { 400, 200, 33 }), Filter::UNION);
+  ExpectMeasures(beside, 2520000.0, 198400.0);
+  EXPECT_EQ(Reported(beside, "PointsAligned"), 0.0);
+  const Surface sunk = box({ 50, 50, 28 }, { 150, 150, 40 });
+  ExpectMeasures(Combine(house, sunk, Filter::INTERSECTION), 20000.0, 20800.0);
+}
+
+/// Their two sides are in one plane to within roundings, too.
+TEST(BooleanOperationAligned, ThinLayersStay)
+{
+  Random random(506);
+  const RandomRotation rotation(random, false);
+  constexpr double thickness = 4.0 * FloatRounding;
+  vtkNew<vtkMultiBlockDataSet> layers;
+  for (unsigned int i = 0; i < 15; ++i)
+  {
+    const double low = i * thickness;
+    layers->SetBlock(i, TurnedBox(rotation, { 0, 0, low }, { 1, 1, low + thickness }, VTK_FLOAT));
+  }
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(0, layers);
+  filter->Update();
+  EXPECT_NEAR(Reported(OutputOf(filter), "Volume"), 15.0 * thickness, 2.0 * FloatRounding);
+}
+
+/// Neighbours share their points to the last bit: nothing is off.
+TEST(BooleanOperationAligned, RowsOfEqualBoxesStay)
+{
+  Random random(507);
+  const RandomRotation rotation(random, false);
+  Mesh row;
+  for (int i = 0; i < 200; ++i)
+  {
+    Append(row, BoxTriangles({ 1.0 * i, 0, 0 }, { i + 1.0, 1, 1 }));
+  }
+  vtkNew<Filter> filter;
+  filter->SetInputData(MakePolyData(row.Map(rotation), VTK_FLOAT));
+  filter->Update();
+  EXPECT_EQ(Reported(OutputOf(filter), "PointsAligned"), 0.0);
+  EXPECT_NEAR(Reported(OutputOf(filter), "Area"), 802.0, 1e-3);
+}
+
+/// Faces are the same however cells are ordered: caps of slivers, too.
+TEST(BooleanOperationAligned, CoaxialCylindersOfManySides)
+{
+  const auto cylinder = [](double radius, double height)
+  {
+    vtkNew<vtkCylinderSource> made;
+    made->SetResolution(300);
+    made->SetCenter(0.0, 0.5 * height, 0.0);
+    made->SetHeight(std::abs(height));
+    made->SetRadius(radius);
+    vtkNew<vtkTransform> turn;
+    turn->RotateWXYZ(37.0, 1.0, 2.0, 3.0);
+    vtkNew<vtkTransformPolyDataFilter> turned;
+    turned->SetTransform(turn);
+    turned->SetInputConnection(made->GetOutputPort());
+    turned->Update();
+    return Surface(turned->GetOutput());
+  };
+  const double angle = 3.14159265358979323846 / 300;
+  const double end = 300 * std::sin(angle) * std::cos(angle);
+  const double side = 2.0 * 300 * std::sin(angle);
+  ExpectMeasures(Combine(cylinder(1.0, 1.0), cylinder(0.6, -1.0), Filter::UNION),
+    end * (1.0 + 0.36), 2.0 * end + side * (1.0 + 0.6));
+}
 }

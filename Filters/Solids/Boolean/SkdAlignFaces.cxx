@@ -5,7 +5,6 @@
 #include "Core/Geometry/Rows.h"
 #include "Solids/Boolean/SkdBooleanNames.h"
 #include "Solids/Boolean/SkdFlushFaces.h"
-#include "Solids/Surfaces/SkdSplitPoints.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointSet.h"
@@ -13,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -182,20 +182,24 @@ private:
   std::optional<skd::Vector3> FindPosition(
     const skd::Vector3& x, const std::vector<std::uint32_t>& planes) const
   {
-    constexpr double roundings = 128.0;
-    double largest = 0.0;
-    for (const std::uint32_t plane : planes)
-    {
-      largest = std::max(largest, this->Faces.GetPlane(plane).Largest);
-    }
-    const double exact = 0.25 * SkdSplitPoints::ErrorOf(largest);
+    constexpr double tolerances = 8.0;
+    double tolerance = 0.0;
     const auto isThere = [&](std::uint32_t plane)
-    { return std::abs(this->Faces.GetPlane(plane).HeightOf(x)) <= exact; };
-    if (std::all_of(planes.begin(), planes.end(), isThere))
+    {
+      constexpr double ofDoubles = 4.0 * std::numeric_limits<double>::epsilon();
+      const SkdFacePlane& its = this->Faces.GetPlane(plane);
+      const double error = ofDoubles *
+        (std::abs(its.Normal[0]) * its.Largest[0] + std::abs(its.Normal[1]) * its.Largest[1] +
+          std::abs(its.Normal[2]) * its.Largest[2]);
+      tolerance = std::max(tolerance, its.Tolerance);
+      return std::abs(its.HeightOf(x)) <= error;
+    };
+    if (std::count_if(planes.begin(), planes.end(), isThere) ==
+      static_cast<std::ptrdiff_t>(planes.size()))
     {
       return std::nullopt;
     }
-    PointInPlanes point(x, roundings * SkdFlushFaces::Rounding * largest);
+    PointInPlanes point(x, tolerances * tolerance);
     for (const std::uint32_t plane : planes)
     {
       point.Add(this->Faces.GetPlane(plane));

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace skdtree
 {
@@ -20,22 +19,7 @@ namespace
 {
 using Triangle = SkdFlushFaces::Triangle;
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
-
-double LargestOf(const Triangle& positions)
-{
-  double largest = 0.0;
-  for (const skd::Vector3& x : positions)
-  {
-    largest = std::max({ largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
-  }
-  return largest;
-}
-
-/// Twice the area, along the normal.
-skd::Vector3 AreaOf(const Triangle& x)
-{
-  return Cross(x[1] - x[0], x[2] - x[0]);
-}
+constexpr std::uint32_t None = 0xffffffffu;
 
 /// Whether the plane of a triangle means something, to within a tolerance of its points.
 bool IsWide(double width, double tolerance)
@@ -44,49 +28,14 @@ bool IsWide(double width, double tolerance)
   return width > least * tolerance;
 }
 
-/// Whether one is in the plane of the other, that of the wider one.
-bool AreInOnePlaneWithin(const Triangle& first, const Triangle& second, double tolerance)
+/// Whether one is in the plane of the other, that of the wider one, to the rounding of doubles.
+bool AreInOnePlaneOfDoubles(const Triangle& first, const Triangle& second)
 {
-  const double widths[] = { SkdWidthOf(first), SkdWidthOf(second) };
-  const bool isFirstWider = widths[0] >= widths[1];
-  return IsWide(std::max(widths[0], widths[1]), tolerance) &&
-    SkdRoundedPlane(isFirstWider ? first : second, tolerance)
-      .Contains(isFirstWider ? second : first);
+  const bool isFirstWider = SkdWidthOf(first) >= SkdWidthOf(second);
+  return SkdRoundedPlane(
+    isFirstWider ? first : second, std::max(SkdToleranceOf(first), SkdToleranceOf(second)))
+    .Contains(isFirstWider ? second : first);
 }
-
-/// Numbers, few of which are in a group with others. Each group has a first one.
-class Groups
-{
-public:
-  std::uint32_t GetFirstOf(std::uint32_t i) const
-  {
-    const auto at = this->FirstOf.find(i);
-    return at == this->FirstOf.end() ? i : at->second;
-  }
-
-  std::vector<std::uint32_t> ListGroup(std::uint32_t first) const
-  {
-    const auto at = this->Members.find(first);
-    return at == this->Members.end() ? std::vector<std::uint32_t>{ first } : at->second;
-  }
-
-  /// Adds a group to that of its new first one.
-  void Add(std::uint32_t first, const std::vector<std::uint32_t>& joining)
-  {
-    std::vector<std::uint32_t>& all =
-      this->Members.emplace(first, std::vector<std::uint32_t>{ first }).first->second;
-    for (const std::uint32_t member : joining)
-    {
-      this->Members.erase(member);
-      this->FirstOf[member] = first;
-      all.push_back(member);
-    }
-  }
-
-private:
-  std::map<std::uint32_t, std::uint32_t> FirstOf;
-  std::map<std::uint32_t, std::vector<std::uint32_t>> Members; // of each first one
-};
 }
 
 //------------------------------------------------------------------------------
@@ -97,7 +46,7 @@ SkdFlushFaces::SkdFlushFaces(
   , Among(among)
 {
   this->Weld();
-  this->FindTolerances();
+  this->FindErrors();
   if (!among)
   {
     this->Edges = SkdMakeEdgeTable(this->Triangles, this->Points.size());
@@ -111,48 +60,75 @@ bool SkdFlushFaces::AreSomeOff() const
   return std::any_of(this->Pairs.begin(), this->Pairs.end(),
     [this](const Pair& pair)
     {
-      const Triangle first = this->PositionsOf(pair.first);
-      const Triangle second = this->PositionsOf(pair.second);
-      const double tolerance = std::max(SkdToleranceOf(first), SkdToleranceOf(second));
-      return !AreInOnePlaneWithin(first, second, tolerance);
+      return this->MayCross(pair.first, pair.second) &&
+        !AreInOnePlaneOfDoubles(this->PositionsOf(pair.first), this->PositionsOf(pair.second));
     });
 }
 
-void SkdFlushFaces::FindPlanes()
+/// Those side by side with a common edge, or in one block, cause no slivers.
+bool SkdFlushFaces::MayCross(std::uint32_t a, std::uint32_t b) const
 {
-  this->FindFaces();
-  this->Faces.resize(this->TrianglesOf.size());
-  this->AreFitted.assign(this->Faces.size(), false);
-  this->UniteFaces();
+  return this->AreOverlapping(a, b) ||
+    (this->BlockOf(a) != this->BlockOf(b) && this->CountCommonPoints(a, b) < 2);
 }
 
 //------------------------------------------------------------------------------
-void SkdFlushFaces::FindTolerances()
+void SkdFlushFaces::FindErrors()
 {
   constexpr double roundings = 16.0;
-  this->Tolerances.resize(this->Triangles.size());
+  constexpr double ofDoubles = 64.0 * std::numeric_limits<double>::epsilon();
+  this->Errors.resize(this->Triangles.size());
   SkdForEach(static_cast<vtkIdType>(this->Triangles.size()),
     [this](vtkIdType i)
     {
       const auto triangle = static_cast<std::uint32_t>(i);
-      const Triangle x = this->PositionsOf(triangle);
-      this->Tolerances[triangle] =
-        this->IsExact(triangle) ? SkdToleranceOf(x) : roundings * Rounding * LargestOf(x);
+      this->Errors[triangle] = (this->IsExact(triangle) ? ofDoubles : roundings * Rounding) *
+        LargestOf(this->PositionsOf(triangle));
     });
 }
 
-bool SkdFlushFaces::AreInOnePlane(std::uint32_t a, std::uint32_t b) const
+/// `width` is that of the wider one.
+bool SkdFlushFaces::IsInPlaneOf(std::uint32_t triangle, std::uint32_t wider, double width) const
 {
-  return AreInOnePlaneWithin(this->PositionsOf(a), this->PositionsOf(b),
-    std::max(this->ToleranceOf(a), this->ToleranceOf(b)));
+  const Triangle plane = this->PositionsOf(wider);
+  const skd::Vector3 area = AreaOf(plane);
+  const double size = Norm(area);
+  const double tolerance = size > 0.0
+    ? Along((1.0 / size) * area, Greatest(this->Errors[triangle], this->Errors[wider]))
+    : 0.0;
+  return size > 0.0 && IsWide(width, tolerance) &&
+    SkdRoundedPlane(plane, tolerance).Contains(this->PositionsOf(triangle));
 }
 
-bool SkdFlushFaces::IsIn(std::uint32_t triangle, const SkdFacePlane& plane) const
+/// In that of the wider one.
+bool SkdFlushFaces::AreInOnePlane(std::uint32_t a, std::uint32_t b) const
 {
-  const double tolerance = this->ToleranceOf(triangle);
-  const Triangle positions = this->PositionsOf(triangle);
-  return std::all_of(positions.begin(), positions.end(),
-    [&](const skd::Vector3& x) { return std::abs(plane.HeightOf(x)) <= tolerance; });
+  const double first = SkdWidthOf(this->PositionsOf(a));
+  const double second = SkdWidthOf(this->PositionsOf(b));
+  return first >= second ? this->IsInPlaneOf(b, a, first) : this->IsInPlaneOf(a, b, second);
+}
+
+bool SkdFlushFaces::AreAllIn(
+  const std::vector<std::uint32_t>& triangles, const SkdFacePlane& plane) const
+{
+  return std::all_of(triangles.begin(), triangles.end(),
+    [&](std::uint32_t triangle)
+    {
+      const double tolerance =
+        std::max(plane.Tolerance, Along(plane.Normal, this->Errors[triangle]));
+      const Triangle positions = this->PositionsOf(triangle);
+      return std::all_of(positions.begin(), positions.end(),
+        [&](const skd::Vector3& x) { return std::abs(plane.HeightOf(x)) <= tolerance; });
+    });
+}
+
+std::size_t SkdFlushFaces::CountCommonPoints(std::uint32_t a, std::uint32_t b) const
+{
+  const Corners& first = this->Triangles[a];
+  const Corners& second = this->Triangles[b];
+  return static_cast<std::size_t>(std::count_if(first.begin(), first.end(),
+    [&second](std::uint32_t point)
+    { return std::find(second.begin(), second.end(), point) != second.end(); }));
 }
 
 skd::Box3 SkdFlushFaces::BoxOf(std::uint32_t triangle) const
@@ -162,7 +138,25 @@ skd::Box3 SkdFlushFaces::BoxOf(std::uint32_t triangle) const
   {
     box.Add(x);
   }
-  return box.Inflated(this->ToleranceOf(triangle));
+  box.Min = box.Min - this->Errors[triangle];
+  box.Max = box.Max + this->Errors[triangle];
+  return box;
+}
+
+skd::Vector3 SkdFlushFaces::LargestOf(const Triangle& positions)
+{
+  skd::Vector3 largest{};
+  for (const skd::Vector3& x : positions)
+  {
+    largest = Greatest(largest, { { std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) } });
+  }
+  return largest;
+}
+
+double SkdFlushFaces::Along(const skd::Vector3& normal, const skd::Vector3& errors)
+{
+  return std::abs(normal[0]) * errors[0] + std::abs(normal[1]) * errors[1] +
+    std::abs(normal[2]) * errors[2];
 }
 
 /// Calls visit(a, b) for triangles of a block that have an edge which no others of it have.
@@ -244,20 +238,29 @@ std::vector<std::uint32_t> SkdFlushFaces::ListNear() const
   return near;
 }
 
+/// As seen along their normal, by more than rounding.
+bool SkdFlushFaces::AreOverlapping(std::uint32_t a, std::uint32_t b) const
+{
+  const Triangle x = this->PositionsOf(a);
+  const skd::Vector3 area = AreaOf(x);
+  const double size = Norm(area);
+  return size > 0.0 &&
+    SkdDoOverlap(x, this->PositionsOf(b), area, Along((1.0 / size) * area, this->Errors[a]));
+}
+
 bool SkdFlushFaces::AreOfTwoBodies(std::uint32_t a, std::uint32_t b) const
 {
-  if (!this->Among)
-  {
-    return this->BodyOf[a] != this->BodyOf[b];
-  }
-  const Corners& first = this->Triangles[a];
-  const Corners& second = this->Triangles[b];
-  const auto isShared = [&](std::uint32_t point)
-  { return std::find(second.begin(), second.end(), point) != second.end(); };
-  const Triangle x = this->PositionsOf(a);
-  return this->BlockOf(a) != this->BlockOf(b) ||
-    (std::none_of(first.begin(), first.end(), isShared) &&
-      SkdDoOverlap(x, this->PositionsOf(b), AreaOf(x), this->ToleranceOf(a)));
+  return this->Among ? this->BlockOf(a) != this->BlockOf(b) ||
+      (this->CountCommonPoints(a, b) == 0 && this->AreOverlapping(a, b))
+                     : this->BodyOf[a] != this->BodyOf[b];
+}
+
+/// Of one body, on each other and facing away from each other, or towards each other, in one plane.
+bool SkdFlushFaces::AreSidesOfAPlate(std::uint32_t a, std::uint32_t b) const
+{
+  return !this->Among && this->CountCommonPoints(a, b) == 0 &&
+    Dot(AreaOf(this->PositionsOf(a)), AreaOf(this->PositionsOf(b))) < 0.0 &&
+    this->AreInOnePlane(a, b) && this->AreOverlapping(a, b);
 }
 
 /// Pairs of wide triangles of two bodies, one of which at least may be moved.
@@ -265,7 +268,11 @@ void SkdFlushFaces::FindPairs()
 {
   std::vector<std::uint32_t> near = this->Among ? *this->Among : this->ListNear();
   const auto isNarrow = [this](std::uint32_t triangle)
-  { return !IsWide(SkdWidthOf(this->PositionsOf(triangle)), this->ToleranceOf(triangle)); };
+  {
+    const Triangle x = this->PositionsOf(triangle);
+    const skd::Vector3 area = AreaOf(x);
+    return !IsWide(SkdWidthOf(x), Along(area, this->Errors[triangle]) / Norm(area));
+  };
   near.erase(std::remove_if(near.begin(), near.end(), isNarrow), near.end());
   std::vector<skd::Box3> boxes;
   boxes.reserve(near.size());
@@ -273,6 +280,7 @@ void SkdFlushFaces::FindPairs()
   {
     boxes.push_back(this->BoxOf(triangle));
   }
+  this->IsOfPlate.assign(this->Triangles.size(), false);
   const skd::PackedRTree tree(boxes);
   skd::PackedRTree::OverlapLists lists;
   const auto visit = [&](std::uint32_t i, const std::vector<std::uint32_t>& others)
@@ -280,9 +288,16 @@ void SkdFlushFaces::FindPairs()
     for (const std::uint32_t k : others)
     {
       const auto [first, second] = std::minmax(near[i], near[k]);
-      if ((this->Among || this->BodyOf[first] != this->BodyOf[second]) &&
-        boxes[i].Overlaps(boxes[k]) && this->AreOfTwoBodies(first, second) &&
-        !(this->IsExact(first) && this->IsExact(second)) && this->AreInOnePlane(first, second))
+      const bool areOfOne = !this->Among && this->BodyOf[first] == this->BodyOf[second];
+      if ((this->IsExact(first) && this->IsExact(second)) || !boxes[i].Overlaps(boxes[k]))
+      {
+        continue;
+      }
+      if (areOfOne && this->AreSidesOfAPlate(first, second))
+      {
+        this->IsOfPlate[first] = this->IsOfPlate[second] = true;
+      }
+      if (!areOfOne && this->AreOfTwoBodies(first, second) && this->AreInOnePlane(first, second))
       {
         this->Pairs.emplace_back(first, second);
       }
@@ -293,37 +308,49 @@ void SkdFlushFaces::FindPairs()
   {
     tree.ForEachOverlapWithin(packet, lists, visit);
   }
+  const auto isOfPlate = [this](const Pair& pair)
+  { return this->IsOfPlate[pair.first] || this->IsOfPlate[pair.second]; };
+  this->Pairs.erase(
+    std::remove_if(this->Pairs.begin(), this->Pairs.end(), isOfPlate), this->Pairs.end());
 }
 
 //------------------------------------------------------------------------------
+/// Faces grow from their widest triangles on.
 void SkdFlushFaces::FindFaces()
 {
   const auto n = static_cast<std::uint32_t>(this->Triangles.size());
-  skd::DisjointSets<> sets(n);
-  std::vector<double> widths(n);
-  std::vector<std::uint32_t> widest(n);
-  for (std::uint32_t triangle = 0; triangle < n; ++triangle)
-  {
-    widths[triangle] = SkdWidthOf(this->PositionsOf(triangle));
-    widest[triangle] = triangle;
-  }
+  std::vector<std::array<std::uint32_t, 3>> neighbours(n, { None, None, None });
   this->ForEachNeighbours(
     [&](std::uint32_t a, std::uint32_t b)
     {
-      const std::uint32_t first = widest[sets.Find(a)];
-      const std::uint32_t second = widest[sets.Find(b)];
-      const std::uint32_t plane = widths[first] >= widths[second] ? first : second;
-      const auto isIn = [&](std::uint32_t triangle)
-      { return triangle == plane || this->AreInOnePlane(triangle, plane); };
-      if (isIn(a) && isIn(b) && isIn(first) && isIn(second))
-      {
-        sets.Unite(a, b);
-        widest[sets.Find(a)] = plane;
-      }
+      *std::find(neighbours[a].begin(), neighbours[a].end() - 1, None) = b;
+      *std::find(neighbours[b].begin(), neighbours[b].end() - 1, None) = a;
     });
-  this->FaceOf = sets.Number();
-  const std::size_t count =
-    static_cast<std::size_t>(*std::max_element(this->FaceOf.begin(), this->FaceOf.end())) + 1;
+  std::vector<double> widths(n);
+  std::vector<std::uint32_t> seeds(n);
+  for (std::uint32_t triangle = 0; triangle < n; ++triangle)
+  {
+    widths[triangle] = SkdWidthOf(this->PositionsOf(triangle));
+    seeds[triangle] = triangle;
+  }
+  const auto leastOf = [this](std::uint32_t triangle)
+  {
+    const Triangle x = this->PositionsOf(triangle);
+    return *std::min_element(x.begin(), x.end());
+  };
+  std::stable_sort(seeds.begin(), seeds.end(),
+    [&](std::uint32_t a, std::uint32_t b)
+    { return widths[a] != widths[b] ? widths[a] > widths[b] : leastOf(a) < leastOf(b); });
+  this->FaceOf.assign(n, None);
+  std::uint32_t count = 0;
+  for (const std::uint32_t seed : seeds)
+  {
+    if (this->FaceOf[seed] == None)
+    {
+      this->FaceOf[seed] = count++;
+      this->GrowFace(seed, neighbours);
+    }
+  }
   this->TrianglesOf = skd::IndexRows(count,
     [this](const auto& add)
     {
@@ -334,182 +361,24 @@ void SkdFlushFaces::FindFaces()
     });
 }
 
-/// Finds the plane of a face, unless that is done.
-void SkdFlushFaces::Fit(std::uint32_t face)
+/// Adds what is in the plane of the seed and connected to it.
+void SkdFlushFaces::GrowFace(
+  std::uint32_t seed, const std::vector<std::array<std::uint32_t, 3>>& neighbours)
 {
-  if (this->AreFitted[face])
-  {
-    return;
-  }
-  const skd::IndexRows::Row triangles = this->TrianglesOf[face];
-  SkdFacePlane& plane = this->Faces[face];
-  plane = this->FitPlane(triangles);
-  plane.IsFlat = plane.Area > 0.0 &&
-    std::all_of(triangles.begin(), triangles.end(),
-      [&](std::uint32_t triangle) { return this->IsIn(triangle, plane); });
-  this->AreFitted[face] = true;
-}
-
-SkdFacePlane SkdFlushFaces::FitPlane(const skd::IndexRows::Row& triangles) const
-{
-  SkdFacePlane plane;
-  auto& [first, second, third] = plane.Corners;
-  // The point with the largest value of all, of equal ones the least by coordinates.
-  const auto findLargest = [&](const auto& valueOf)
-  {
-    skd::Vector3 largest{};
-    double value = -1.0;
-    for (const std::uint32_t triangle : triangles)
-    {
-      for (const skd::Vector3& x : this->PositionsOf(triangle))
-      {
-        const double its = valueOf(x);
-        const bool isLarger = its > value || (its == value && x < largest);
-        largest = isLarger ? x : largest;
-        value = isLarger ? its : value;
-      }
-    }
-    return largest;
-  };
-  first = findLargest([](const skd::Vector3&) { return 0.0; });
-  second = findLargest([&](const skd::Vector3& x) { return Distance2(x, first); });
-  third =
-    findLargest([&](const skd::Vector3& x) { return Norm2(Cross(second - first, x - first)); });
-  const skd::Vector3 normal = AreaOf(plane.Corners);
-  plane.Area = Norm(normal);
-  plane.Normal = plane.Area > 0.0 ? (1.0 / plane.Area) * normal : normal;
-  plane.IsSingle = triangles.size() == 1;
-  for (const std::uint32_t triangle : triangles)
-  {
-    plane.Largest = std::max(plane.Largest, LargestOf(this->PositionsOf(triangle)));
-    plane.IsExact = plane.IsExact && this->IsExact(triangle);
-  }
-  return plane;
-}
-
-//------------------------------------------------------------------------------
-/// Adds pairs of faces that have a point in common and are parallel, or nearly, beginning at those
-/// of the pairs that are there: those of what an operation before has made may be on two sides of
-/// an edge at which more faces meet. All faces at these points are fitted.
-void SkdFlushFaces::AddTouching(std::set<Pair>& pairs)
-{
-  constexpr double least = 1.0 - 1e-5;
-  constexpr std::size_t most = 64; // faces, which are compared with each other
-  const skd::IndexRows facesAt = this->ListFacesAtPoints();
-  std::vector<bool> isReached(this->Points.size(), false);
-  std::vector<bool> isListed(this->Faces.size(), false);
-  std::vector<std::uint32_t> open;
-  const auto list = [&](std::uint32_t face)
-  {
-    if (!isListed[face])
-    {
-      isListed[face] = true;
-      open.push_back(face);
-    }
-  };
-  for (const auto& [a, b] : pairs)
-  {
-    list(a);
-    list(b);
-  }
-  const auto addAt = [&](std::uint32_t point)
-  {
-    std::vector<std::uint32_t> faces(facesAt[point].begin(), facesAt[point].end());
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-      this->Fit(faces[i]);
-      for (std::size_t k = 0; k < i && faces.size() <= most; ++k)
-      {
-        const double cosine = Dot(this->Faces[faces[k]].Normal, this->Faces[faces[i]].Normal);
-        if (std::abs(cosine) > least)
-        {
-          pairs.emplace(faces[k], faces[i]);
-          list(faces[k]);
-          list(faces[i]);
-        }
-      }
-    }
-  };
+  const double width = SkdWidthOf(this->PositionsOf(seed));
+  std::vector<std::uint32_t> open{ seed };
   while (!open.empty())
   {
-    const std::uint32_t face = open.back();
+    const std::uint32_t triangle = open.back();
     open.pop_back();
-    for (const std::uint32_t triangle : this->TrianglesOf[face])
+    for (const std::uint32_t next : neighbours[triangle])
     {
-      for (const std::uint32_t corner : this->Triangles[triangle])
+      if (next != None && this->FaceOf[next] == None && this->IsInPlaneOf(next, seed, width))
       {
-        if (!isReached[corner])
-        {
-          isReached[corner] = true;
-          addAt(corner);
-        }
+        this->FaceOf[next] = this->FaceOf[seed];
+        open.push_back(next);
       }
     }
-  }
-}
-
-skd::IndexRows SkdFlushFaces::ListFacesAtPoints() const
-{
-  return skd::IndexRows(this->Points.size(),
-    [this](const auto& add)
-    {
-      for (std::uint32_t triangle = 0; triangle < this->Triangles.size(); ++triangle)
-      {
-        for (const std::uint32_t corner : this->Triangles[triangle])
-        {
-          add(corner, this->FaceOf[triangle]);
-        }
-      }
-    });
-}
-
-/// In one group are faces that are all in the plane of the first of them.
-void SkdFlushFaces::UniteFaces()
-{
-  const auto isIn = [&](std::uint32_t face, std::uint32_t plane)
-  {
-    return this->Faces[face].IsFlat &&
-      std::all_of(this->TrianglesOf[face].begin(), this->TrianglesOf[face].end(),
-        [&](std::uint32_t triangle) { return this->IsIn(triangle, this->Faces[plane]); });
-  };
-  std::set<Pair> pairs;
-  for (const auto& [a, b] : this->Pairs)
-  {
-    pairs.insert(std::minmax(this->FaceOf[a], this->FaceOf[b]));
-  }
-  const std::set<Pair> flush = pairs;
-  this->AddTouching(pairs);
-  Groups groups;
-  for (const auto& [a, b] : pairs)
-  {
-    std::uint32_t first = groups.GetFirstOf(a);
-    std::uint32_t second = groups.GetFirstOf(b);
-    if (this->Faces[second].ComesBefore(this->Faces[first]))
-    {
-      std::swap(first, second);
-    }
-    const std::vector<std::uint32_t> joining = groups.ListGroup(second);
-    const auto joins = [&](std::uint32_t face) { return isIn(face, first); };
-    if (first != second && this->Faces[first].IsFlat &&
-      std::all_of(joining.begin(), joining.end(), joins))
-    {
-      groups.Add(first, joining);
-    }
-  }
-  std::set<std::uint32_t> ofFlush; // the first ones of groups
-  for (const auto& [a, b] : flush)
-  {
-    if (groups.GetFirstOf(a) == groups.GetFirstOf(b))
-    {
-      ofFlush.insert(groups.GetFirstOf(a));
-    }
-  }
-  for (std::uint32_t face = 0; face < this->Faces.size(); ++face)
-  {
-    this->PlaneOf.push_back(groups.GetFirstOf(face));
-    this->AreFlush.push_back(ofFlush.count(this->PlaneOf.back()) > 0);
   }
 }
 }
