@@ -65,11 +65,14 @@ bool SkdFlushFaces::AreSomeOff() const
     });
 }
 
-/// Those side by side with a common edge, or in one block, cause no slivers.
+/// On each other, but for folds of one block, or side by side in two blocks: with a common point
+/// they meet in it, or along an edge that both have.
 bool SkdFlushFaces::MayCross(std::uint32_t a, std::uint32_t b) const
 {
-  return this->AreOverlapping(a, b) ||
-    (this->BlockOf(a) != this->BlockOf(b) && this->CountCommonPoints(a, b) < 2);
+  const std::size_t common = this->CountCommonPoints(a, b);
+  return this->BlockOf(a) == this->BlockOf(b)
+    ? common < 2 && this->AreOverlapping(a, b, 1.0)
+    : this->AreOverlapping(a, b, common == 0 ? -1.0 : 1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -238,20 +241,21 @@ std::vector<std::uint32_t> SkdFlushFaces::ListNear() const
   return near;
 }
 
-/// As seen along their normal, by more than rounding.
-bool SkdFlushFaces::AreOverlapping(std::uint32_t a, std::uint32_t b) const
+/// As seen along their normal, by more than so many tolerances.
+bool SkdFlushFaces::AreOverlapping(std::uint32_t a, std::uint32_t b, double tolerances) const
 {
   const Triangle x = this->PositionsOf(a);
   const skd::Vector3 area = AreaOf(x);
   const double size = Norm(area);
   return size > 0.0 &&
-    SkdDoOverlap(x, this->PositionsOf(b), area, Along((1.0 / size) * area, this->Errors[a]));
+    SkdDoOverlap(
+      x, this->PositionsOf(b), area, tolerances * Along((1.0 / size) * area, this->Errors[a]));
 }
 
 bool SkdFlushFaces::AreOfTwoBodies(std::uint32_t a, std::uint32_t b) const
 {
   return this->Among ? this->BlockOf(a) != this->BlockOf(b) ||
-      (this->CountCommonPoints(a, b) == 0 && this->AreOverlapping(a, b))
+      (this->CountCommonPoints(a, b) == 0 && this->AreOverlapping(a, b, 1.0))
                      : this->BodyOf[a] != this->BodyOf[b];
 }
 
@@ -260,7 +264,7 @@ bool SkdFlushFaces::AreSidesOfAPlate(std::uint32_t a, std::uint32_t b) const
 {
   return !this->Among && this->CountCommonPoints(a, b) == 0 &&
     Dot(AreaOf(this->PositionsOf(a)), AreaOf(this->PositionsOf(b))) < 0.0 &&
-    this->AreInOnePlane(a, b) && this->AreOverlapping(a, b);
+    this->AreInOnePlane(a, b) && this->AreOverlapping(a, b, 1.0);
 }
 
 /// Pairs of wide triangles of two bodies, one of which at least may be moved.

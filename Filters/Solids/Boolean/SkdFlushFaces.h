@@ -133,7 +133,7 @@ private:
   void FindBodies();
   std::vector<std::uint32_t> ListNear() const;
   bool MayCross(std::uint32_t a, std::uint32_t b) const;
-  bool AreOverlapping(std::uint32_t a, std::uint32_t b) const;
+  bool AreOverlapping(std::uint32_t a, std::uint32_t b, double tolerances) const;
   bool AreOfTwoBodies(std::uint32_t a, std::uint32_t b) const;
   bool AreSidesOfAPlate(std::uint32_t a, std::uint32_t b) const;
   void FindPairs();
