@@ -70,7 +70,8 @@ void SkdFlushFaces::Fit(std::uint32_t face)
 SkdFacePlane SkdFlushFaces::FitPlane(const std::vector<std::uint32_t>& triangles) const
 {
   SkdFacePlane plane;
-  auto& [first, second, third] = plane.Corners;
+  skd::Vector3& first = plane.Corners[0];
+  skd::Vector3& second = plane.Corners[1];
   // The point with the largest value of all, of equal ones the least by coordinates.
   const auto findLargest = [&](const auto& valueOf)
   {
@@ -90,7 +91,7 @@ SkdFacePlane SkdFlushFaces::FitPlane(const std::vector<std::uint32_t>& triangles
   };
   first = findLargest([](const skd::Vector3&) { return 0.0; });
   second = findLargest([&](const skd::Vector3& x) { return Distance2(x, first); });
-  third =
+  plane.Corners[2] =
     findLargest([&](const skd::Vector3& x) { return Norm2(Cross(second - first, x - first)); });
   const skd::Vector3 normal = AreaOf(plane.Corners);
   plane.Area = Norm(normal);
