@@ -127,6 +127,30 @@ TEST(BooleanOperationAligned, PointsOfDoublesStay)
   }
 }
 
+/// Its other faces are of one triangle each, which say nothing of where its points are to be.
+TEST(BooleanOperationAligned, TetrahedronOfFloatsOnABlockOfDoubles)
+{
+  Random random(508);
+  Mesh tetrahedron;
+  tetrahedron.Points = { { 0.5, 2, 0.5 }, { 1.5, 2, 0.5 }, { 0.5, 2, 1.5 }, { 0.6, 3, 0.7 } };
+  for (const Ids& face : { Ids{ 0, 1, 2 }, Ids{ 0, 3, 1 }, Ids{ 1, 3, 2 }, Ids{ 2, 3, 0 } })
+  {
+    tetrahedron.Add(VTK_TRIANGLE, face);
+  }
+  for (int turn = 0; turn < 20; ++turn)
+  {
+    SCOPED_TRACE(turn);
+    const RandomRotation rotation(random, false);
+    const Surface block = TurnedBox(rotation, { 0, 0, 0 }, { 2, 2, 2 }, VTK_DOUBLE);
+    Mesh turned = tetrahedron;
+    const Surface peak = MakePolyData(turned.Map(rotation), VTK_FLOAT);
+    const Surface both = Combine(block, peak, Filter::UNION);
+    EXPECT_NEAR(Reported(both, "Volume"), 8.0 + 1.0 / 6.0, 1e-5);
+    EXPECT_NEAR(Reported(both, "Area"),
+      24.0 + Reported(Combine(peak, peak, Filter::UNION), "Area") - 1.0, 1e-5);
+  }
+}
+
 /// Outputs are doubles, but say that they are of floats.
 TEST(BooleanOperationAligned, OutputsOfOperationsBefore)
 {

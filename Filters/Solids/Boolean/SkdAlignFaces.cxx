@@ -100,14 +100,15 @@ public:
 
   void Run()
   {
-    const skd::IndexRows planesOf = this->ListPlanes();
+    std::vector<double> tolerances(this->Points.size(), 0.0);
+    const skd::IndexRows planesOf = this->ListPlanes(tolerances);
     for (std::uint32_t point = 0; point < this->Points.size(); ++point)
     {
       std::vector<std::uint32_t> planes(planesOf[point].begin(), planesOf[point].end());
       std::sort(planes.begin(), planes.end(),
         [this](std::uint32_t a, std::uint32_t b) { return this->ComesBefore(a, b); });
       planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
-      if (const auto moved = this->FindPosition(this->Points[point], planes))
+      if (const auto moved = this->FindPosition(this->Points[point], tolerances[point], planes))
       {
         this->HasMoved[point] = true;
         this->Points[point] = *moved;
@@ -144,8 +145,8 @@ private:
     return first.ComesBefore(second) || (!second.ComesBefore(first) && a < b);
   }
 
-  /// Of each point that may move the planes that it is to be in.
-  skd::IndexRows ListPlanes() const
+  /// Of each point that may move the planes that it is to be in, and its tolerance.
+  skd::IndexRows ListPlanes(std::vector<double>& tolerances) const
   {
     const std::vector<SkdFlushFaces::Corners>& triangles = this->Faces.GetTriangles();
     const auto n = static_cast<std::uint32_t>(triangles.size());
@@ -171,6 +172,7 @@ private:
             const std::uint32_t corner = triangles[triangle][i];
             if (isFlush[corner] && !stays[corner])
             {
+              tolerances[corner] = std::max(tolerances[corner], face.Tolerance);
               add(corner, this->Faces.GetPlaneOf(triangle));
             }
           }
@@ -178,24 +180,19 @@ private:
       });
   }
 
-  /// Nothing if it is there.
+  /// Nothing if it is there. The tolerance is that of the faces that the point is of, not of those
+  /// whose planes they get.
   std::optional<skd::Vector3> FindPosition(
-    const skd::Vector3& x, const std::vector<std::uint32_t>& planes) const
+    const skd::Vector3& x, double tolerance, const std::vector<std::uint32_t>& planes) const
   {
     constexpr double tolerances = 8.0;
-    double tolerance = 0.0;
     const auto isThere = [&](std::uint32_t plane)
     {
       constexpr double ofDoubles = 4.0 * std::numeric_limits<double>::epsilon();
       const SkdFacePlane& its = this->Faces.GetPlane(plane);
-      const double error = ofDoubles *
-        (std::abs(its.Normal[0]) * its.Largest[0] + std::abs(its.Normal[1]) * its.Largest[1] +
-          std::abs(its.Normal[2]) * its.Largest[2]);
-      tolerance = std::max(tolerance, its.Tolerance);
-      return std::abs(its.HeightOf(x)) <= error;
+      return std::abs(its.HeightOf(x)) <= ofDoubles * SkdFlushFaces::Along(its.Normal, its.Largest);
     };
-    if (std::count_if(planes.begin(), planes.end(), isThere) ==
-      static_cast<std::ptrdiff_t>(planes.size()))
+    if (std::all_of(planes.begin(), planes.end(), isThere))
     {
       return std::nullopt;
     }

@@ -60,6 +60,9 @@ public:
   /// How far rounding to a float takes a coordinate, relative to it.
   static constexpr double Rounding = 0.5 * std::numeric_limits<float>::epsilon();
 
+  /// How far errors of coordinates take a point along a normal.
+  static double Along(const skd::Vector3& normal, const skd::Vector3& errors);
+
   /// `bits` are those of the coordinates of each block. Finds triangles of two bodies that lie in
   /// one plane, on each other or side by side, to within 16 roundings of each coordinate along its
   /// axis; but none of plates that are as thin as that. O(n) where bodies are apart,
@@ -78,10 +81,8 @@ public:
 
   const std::vector<skd::Vector3>& GetPoints() const { return this->Points; }
   const std::vector<Corners>& GetTriangles() const { return this->Triangles; }
-  std::uint32_t GetPointOf(std::size_t given) const
-  {
-    return this->PointOf[given];
-  } ///< of the set's
+  /// The point that one of the set is.
+  std::uint32_t GetPointOf(std::size_t given) const { return this->PointOf[given]; }
   bool IsExact(std::uint32_t triangle) const
   {
     return this->Bits[static_cast<std::size_t>(this->BlockOf(triangle))] != BitsOfFloat;
@@ -109,9 +110,6 @@ private:
   static skd::Vector3 AreaOf(const Triangle& x) { return Cross(x[1] - x[0], x[2] - x[0]); }
   /// Of each coordinate the largest magnitude.
   static skd::Vector3 LargestOf(const Triangle& positions);
-  /// How far errors of coordinates take a point along a normal.
-  static double Along(const skd::Vector3& normal, const skd::Vector3& errors);
-
   int BlockOf(std::uint32_t triangle) const
   {
     return this->Set.GetCells()[this->Set.GetCellOf(triangle)].Block;
