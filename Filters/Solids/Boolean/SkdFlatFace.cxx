@@ -47,6 +47,14 @@ bool SkdFlatFace::ListPoints()
   std::sort(this->Reached.begin(), this->Reached.end());
   isSimple = isSimple && this->Points == this->Reached &&
     std::adjacent_find(this->Edges.begin(), this->Edges.end()) == this->Edges.end();
+  if (!this->Within.empty())
+  {
+    for (const Edge& edge : this->Within)
+    {
+      this->Points.insert(this->Points.end(), { edge.first, edge.second });
+    }
+    std::sort(this->Points.begin(), this->Points.end());
+  }
   this->Points.erase(std::unique(this->Points.begin(), this->Points.end()), this->Points.end());
   return isSimple;
 }
@@ -143,6 +151,10 @@ bool SkdFlatFace::Triangulate(const skd::Vector3& normal)
     for (const Ends& edge : this->ByNumber)
     {
       made.Constrain(edge.first, edge.second);
+    }
+    for (const Edge& edge : this->Within)
+    {
+      made.Constrain(this->NumberOf(edge.first), this->NumberOf(edge.second));
     }
     isMade = this->FindWindings(made.GetMesh()) && this->TakeInside(made.GetMesh());
   }

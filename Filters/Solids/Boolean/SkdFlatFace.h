@@ -28,8 +28,15 @@ public:
   };
 
   /// Begins with a face that has no edge.
-  void Begin() { this->Edges.clear(); }
+  void Begin()
+  {
+    this->Edges.clear();
+    this->Within.clear();
+  }
   void Add(std::uint32_t from, std::uint32_t to) { this->Edges.emplace_back(from, to); }
+
+  /// An edge that the triangles are to have, but that is not around them. It may also be elsewhere.
+  void AddWithin(std::uint32_t a, std::uint32_t b) { this->Within.emplace_back(a, b); }
   bool IsEmpty() const { return this->Edges.empty(); }
 
   /// nullptr if there are none such, as edges cross or points coincide in that view; else until the
@@ -63,6 +70,7 @@ private:
   bool TakeInside(const skd::FlipMesh& mesh);
 
   std::vector<Edge> Edges;             // ascending
+  std::vector<Edge> Within;            // in any order and direction
   std::vector<std::uint32_t> Points;   // ascending
   std::vector<std::uint32_t> Reached;  // points where edges end
   std::vector<skd::Vector3> Given;     // of each point

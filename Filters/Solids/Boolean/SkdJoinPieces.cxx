@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdForEach.h"
 #include "Solids/Boolean/SkdBorderCrossings.h"
+#include "Solids/Boolean/SkdCoplanarOverlaps.h"
 #include "Solids/Boolean/SkdFacingFacets.h"
 #include "Solids/Boolean/SkdFlatFace.h"
 #include "Solids/Boolean/SkdOppositeParts.h"
@@ -43,6 +44,12 @@ public:
     , Facing(facing)
     , Parts(placement.First, facets, signs, origins, faces, facing)
   {
+  }
+
+  /// Gives what faces in one plane have in common to the lowest, if they overlap.
+  std::optional<SkdRoundedFacets> CutOverlaps(SkdFaceSets& faces) const
+  {
+    return SkdCutOverlaps(this->Set, this->Facets, this->Signs, this->Parts, faces);
   }
 
   /// Finds parts that lie on each other, but for those of these pairs of facets; one may lie on
@@ -433,10 +440,11 @@ struct Joined
   bool IsMore; // whether parts that lay on each other were looked at, so that more may be there
 };
 
-/// Where parts lie on each other, their borders are split where they cross; else they are made one
+/// With `cutsOverlaps` parts that overlap lower faces in one plane are cut, if there are any; else:
+/// where parts lie on each other, their borders are split where they cross; else they are made one
 /// where that can be triangulated.
 Joined JoinOnce(const SkdPlacement& placement, const SkdFacets& facets, const SkdFacetSigns& signs,
-  const std::vector<std::uint32_t>& origins, SkdFaceSets& faces)
+  const std::vector<std::uint32_t>& origins, SkdFaceSets& faces, bool cutsOverlaps)
 {
   const std::vector<Pair> facing =
     SkdFindFacingFacets(placement.First, facets, signs, origins, faces);
@@ -445,6 +453,10 @@ Joined JoinOnce(const SkdPlacement& placement, const SkdFacets& facets, const Sk
   while (true)
   {
     Joiner joiner(placement, facets, signs, origins, faces, facing);
+    if (auto cut = cutsOverlaps ? joiner.CutOverlaps(faces) : std::nullopt)
+    {
+      return { std::move(cut), true };
+    }
     if (auto split = joiner.FindOpposite(faces, apart, areSeveral))
     {
       return { std::move(split), true };
@@ -469,15 +481,17 @@ std::optional<SkdRoundedFacets> SkdJoinPieces(const SkdPlacement& placement,
   const SkdFacets& facets, const SkdFacetSigns& signs, const std::vector<std::uint32_t>& origins,
   SkdFaceSets& faces, SkdRoundedFacets* given)
 {
-  constexpr int most = 16; // times
-  Joined joined = JoinOnce(placement, facets, signs, origins, faces);
+  constexpr int most = 24;          // times
+  constexpr int mostOfOverlaps = 8; // times that parts are cut where they overlap
+  Joined joined = JoinOnce(placement, facets, signs, origins, faces, true);
   if (given && joined.Facets)
   {
     given->ForgetFacets();
   }
   for (int time = 1; joined.Facets && joined.IsMore && time < most; ++time)
   {
-    Joined again = JoinOnce(placement, joined.Facets->Facets, joined.Facets->Signs, origins, faces);
+    Joined again = JoinOnce(placement, joined.Facets->Facets, joined.Facets->Signs, origins, faces,
+      time < mostOfOverlaps);
     joined.IsMore = again.IsMore;
     if (again.Facets)
     {

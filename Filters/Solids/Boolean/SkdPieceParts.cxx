@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdPieceParts.h"
 
+#include "Solids/Boolean/SkdFacingFacets.h"
 #include "Solids/Boolean/SkdRoundedPlane.h"
 
 #include <numeric>
@@ -53,10 +54,17 @@ SkdPieceParts::SkdPieceParts(const SkdMovedTriangles& set, const SkdFacets& face
   , Origins(origins)
   , Faces(faces)
 {
-  this->ListPieces(facing);
+  std::vector<bool> isCut(faces.GetNumberOfTriangles(), false);
+  this->FindCut(facing, isCut);
+  this->ListPieces(isCut);
   if (!this->Pieces.empty())
   {
     this->ListUses();
+    if (this->FindLaidOnCut(isCut))
+    {
+      this->ListPieces(isCut);
+      this->ListUses();
+    }
     this->FindParts();
     this->FindBorder();
   }
@@ -118,11 +126,11 @@ const SkdPieceParts::BorderEdge* SkdPieceParts::FindNext(
 }
 
 //------------------------------------------------------------------------------
-/// The facets in the boundary of faces that are cut, or so taken.
-void SkdPieceParts::ListPieces(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& facing)
+/// Faces that are cut, or so taken.
+void SkdPieceParts::FindCut(
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& facing, std::vector<bool>& isCut)
 {
   const auto n = static_cast<std::uint32_t>(this->Signs.size());
-  std::vector<bool> isCut(this->Faces.GetNumberOfTriangles(), false);
   for (std::uint32_t facet = 0; facet < n; ++facet)
   {
     if (this->Facets.IsPiece(this->Set, facet))
@@ -135,6 +143,15 @@ void SkdPieceParts::ListPieces(const std::vector<std::pair<std::uint32_t, std::u
     isCut[this->Faces.Find(this->GetOriginOf(first) / 2)] = true;
     isCut[this->Faces.Find(this->GetOriginOf(second) / 2)] = true;
   }
+}
+
+/// The facets in the boundary of these faces.
+void SkdPieceParts::ListPieces(const std::vector<bool>& isCut)
+{
+  const auto n = static_cast<std::uint32_t>(this->Signs.size());
+  this->Pieces.clear();
+  this->Widths.clear();
+  this->Tolerances.clear();
   for (std::uint32_t facet = 0; facet < n; ++facet)
   {
     if (this->Signs[facet] != 0 && isCut[this->Faces.Find(this->GetOriginOf(facet) / 2)])
@@ -145,6 +162,67 @@ void SkdPieceParts::ListPieces(const std::vector<std::pair<std::uint32_t, std::u
         SkdToleranceOf(this->Set.GetCornerPoints(this->Facets.Parents[facet])));
     }
   }
+}
+
+/// Whether any other face lies on one of these but for rounding, so that its rim is around a hole
+/// of that: it is then taken as cut, too.
+bool SkdPieceParts::FindLaidOnCut(std::vector<bool>& isCut)
+{
+  std::vector<bool> isOfPiece(this->CountPoints(), false);
+  for (const std::uint32_t facet : this->Pieces)
+  {
+    for (const std::uint32_t corner : this->Facets.Corners[facet])
+    {
+      isOfPiece[corner] = true;
+    }
+  }
+  bool isAny = false;
+  std::uint32_t next = 0;
+  for (std::uint32_t facet = 0; facet < this->Signs.size(); ++facet)
+  {
+    const bool isPiece = next < this->Pieces.size() && this->Pieces[next] == facet;
+    next += isPiece;
+    const Corners& corners = this->Facets.Corners[facet];
+    const int count = isOfPiece[corners[0]] + isOfPiece[corners[1]] + isOfPiece[corners[2]];
+    if (!isPiece && count > 1 && this->Signs[facet] != 0 && this->IsLaidOnPiece(facet))
+    {
+      isCut[this->Faces.Find(this->GetOriginOf(facet) / 2)] = true;
+      isAny = true;
+    }
+  }
+  return isAny;
+}
+
+/// Whether the triangle that a piece beside a facet is of continues under it.
+bool SkdPieceParts::IsLaidOnPiece(std::uint32_t facet) const
+{
+  const Corners& corners = this->Facets.Corners[facet];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Use wanted(corners[i], corners[(i + 1) % 3], 0);
+    auto use = std::lower_bound(this->Uses.begin(), this->Uses.end(), wanted);
+    for (; use != this->Uses.end() && use->Ends == wanted.Ends; ++use)
+    {
+      if (this->IsLaidOn(facet, this->Pieces[use->Piece]))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool SkdPieceParts::IsLaidOn(std::uint32_t facet, std::uint32_t piece) const
+{
+  constexpr double least = 1.0 - 1e-6;
+  const auto top = this->Set.GetCornerPoints(this->Facets.Parents[facet]);
+  const auto bottom = this->Set.GetCornerPoints(this->Facets.Parents[piece]);
+  const skd::Vector3 area = Cross(top[1] - top[0], top[2] - top[0]);
+  const skd::Vector3 other = Cross(bottom[1] - bottom[0], bottom[2] - bottom[0]);
+  const double size = Norm(area);
+  return this->Signs[facet] * this->Signs[piece] * Dot(area, other) > least * size * Norm(other) &&
+    this->Faces.AreInOnePlane(this->GetOriginOf(facet) / 2, this->GetOriginOf(piece) / 2) &&
+    SkdDoOverlap(top, bottom, (1.0 / size) * area, SkdToleranceOf(bottom));
 }
 
 void SkdPieceParts::ListUses()

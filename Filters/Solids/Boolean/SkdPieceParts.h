@@ -34,7 +34,7 @@ public:
   };
 
   /// `origins` as for SkdJoinPieces. The faces of `facing` facets are looked at as if they were
-  /// cut.
+  /// cut, and those that lie on a face that is cut, but for rounding, and face as it does.
   SkdPieceParts(const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
     const std::vector<std::uint32_t>& origins, SkdFaceSets& faces,
     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& facing);
@@ -85,8 +85,13 @@ public:
   /// Twice the triangle of the face that a facet is of, and 1 more if that is reversed.
   std::uint32_t GetOriginOf(std::uint32_t facet) const
   {
-    const std::uint32_t parent = this->Facets.Parents[facet];
-    return this->Origins.empty() ? 2 * parent : this->Origins[parent];
+    return this->GetOriginOfTriangle(this->Facets.Parents[facet]);
+  }
+
+  /// The same of a triangle of the placed set.
+  std::uint32_t GetOriginOfTriangle(std::uint32_t triangle) const
+  {
+    return this->Origins.empty() ? 2 * triangle : this->Origins[triangle];
   }
 
   const std::vector<BorderEdge>& GetBorder() const { return this->Border; } ///< ascending
@@ -139,7 +144,12 @@ private:
   {
     return this->Set.GetPoints().size() + this->Facets.NewPoints.size();
   }
-  void ListPieces(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& facing);
+  void FindCut(
+    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& facing, std::vector<bool>& isCut);
+  void ListPieces(const std::vector<bool>& isCut);
+  bool FindLaidOnCut(std::vector<bool>& isCut);
+  bool IsLaidOnPiece(std::uint32_t facet) const;
+  bool IsLaidOn(std::uint32_t facet, std::uint32_t piece) const;
   void ListUses();
   void FindParts();
   void FindBorder();

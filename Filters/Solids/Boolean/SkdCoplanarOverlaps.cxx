@@ -1,0 +1,480 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Boolean/SkdCoplanarOverlaps.h"
+
+#include "Core/Search/Tree/PackedRTree.h"
+#include "Solids/Boolean/SkdEdgeCuts.h"
+#include "Solids/Boolean/SkdFacingFacets.h"
+#include "Solids/Boolean/SkdFlatFace.h"
+#include "Solids/Boolean/SkdRoundedPlane.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace skdtree
+{
+namespace
+{
+using BorderEdge = SkdPieceParts::BorderEdge;
+using Corners = SkdTriangleSet::Corners;
+using Ends = SkdEdgeCuts::Ends;
+using Triangle = std::array<skd::Vector3, 3>;
+
+/// Faces of either orientation, in the order in which overlaps become theirs.
+struct Owner
+{
+  std::uint32_t Face;
+  bool IsReversed;
+
+  auto AsTuple() const { return std::tie(this->Face, this->IsReversed); }
+  bool operator<(const Owner& other) const { return this->AsTuple() < other.AsTuple(); }
+  bool operator==(const Owner& other) const { return this->AsTuple() == other.AsTuple(); }
+};
+
+/// A part, and a lower face in its plane that it is beside.
+struct Neighbour
+{
+  std::uint32_t Part;
+  Owner Lower;
+
+  bool operator<(const Neighbour& other) const
+  {
+    return this->Part != other.Part ? this->Part < other.Part : this->Lower < other.Lower;
+  }
+  bool operator==(const Neighbour& other) const
+  {
+    return this->Part == other.Part && this->Lower == other.Lower;
+  }
+};
+
+/// A triangle of the set that is of an owner.
+struct Owned
+{
+  Owner Of;
+  std::uint32_t Number;
+  Triangle At;
+
+  bool operator<(const Owned& other) const
+  {
+    return this->Of == other.Of ? this->Number < other.Number : this->Of < other.Of;
+  }
+};
+
+/// A part that lower faces overlap.
+struct Overlapped
+{
+  std::uint32_t Part;
+  skd::Vector3 Normal; // of length 1, as the boundary has the part
+  double Tolerance;
+  std::vector<const Owned*> Above; // triangles that overlap it, ascending
+  std::vector<Ends> Outlines;      // around those of each owner
+};
+
+/// A facet of the boundary.
+struct Facet
+{
+  Corners Points;
+  std::uint32_t Parent;
+  signed char Sign;
+};
+
+class CoplanarOverlaps
+{
+public:
+  CoplanarOverlaps(const SkdMovedTriangles& set, const SkdFacets& facets,
+    const SkdFacetSigns& signs, const SkdPieceParts& parts, SkdFaceSets& faces)
+    : Set(set)
+    , Facets(facets)
+    , Signs(signs)
+    , Parts(parts)
+    , Faces(faces)
+    , Cuts(set, facets)
+  {
+  }
+
+  std::optional<SkdRoundedFacets> Cut()
+  {
+    this->FindNeighbours();
+    if (this->Neighbours.empty())
+    {
+      return std::nullopt;
+    }
+    this->ListOwned();
+    this->FindOverlapped();
+    if (this->All.empty())
+    {
+      return std::nullopt;
+    }
+    const bool isAnyCut = this->CutBorders();
+    return isAnyCut ? this->Cuts.Split(this->Signs) : this->CutParts();
+  }
+
+private:
+  //----------------------------------------------------------------------------
+  std::uint32_t OriginOf(std::uint32_t part) const
+  {
+    return this->Parts.GetOriginOf(this->Parts.GetFirstFacetOf(part));
+  }
+
+  Owner OwnerOf(std::uint32_t origin) const
+  {
+    return { this->Faces.Find(origin / 2), origin % 2 != 0 };
+  }
+
+  /// Of a part's first piece, as the boundary has it; of length 1.
+  skd::Vector3 NormalOf(std::uint32_t part) const
+  {
+    const std::uint32_t facet = this->Parts.GetFirstFacetOf(part);
+    const skd::Vector3 normal = AreaOf(this->Set.GetCornerPoints(this->Facets.Parents[facet]));
+    return (this->Signs[facet] / Norm(normal)) * normal;
+  }
+
+  static skd::Vector3 AreaOf(const Triangle& x) { return Cross(x[1] - x[0], x[2] - x[0]); }
+
+  /// Parts with a common edge of the boundary.
+  void FindNeighbours()
+  {
+    for (const BorderEdge& edge : this->Parts.GetBorder())
+    {
+      if (edge.Other == SkdPieceParts::None || edge.Part > edge.Other)
+      {
+        continue;
+      }
+      const Owner first = this->OwnerOf(this->OriginOf(edge.Part));
+      const Owner second = this->OwnerOf(this->OriginOf(edge.Other));
+      if (first.Face != second.Face)
+      {
+        this->Neighbours.push_back(
+          first < second ? Neighbour{ edge.Other, first } : Neighbour{ edge.Part, second });
+      }
+    }
+    std::sort(this->Neighbours.begin(), this->Neighbours.end());
+    this->Neighbours.erase(
+      std::unique(this->Neighbours.begin(), this->Neighbours.end()), this->Neighbours.end());
+    const auto isElsewhere = [this](const Neighbour& neighbour) {
+      return !this->Faces.AreInOnePlane(this->OriginOf(neighbour.Part) / 2, neighbour.Lower.Face);
+    };
+    this->Neighbours.erase(
+      std::remove_if(this->Neighbours.begin(), this->Neighbours.end(), isElsewhere),
+      this->Neighbours.end());
+  }
+
+  /// The triangles of all lower faces.
+  void ListOwned()
+  {
+    std::vector<bool> isWanted(this->Faces.GetNumberOfTriangles(), false);
+    for (const Neighbour& neighbour : this->Neighbours)
+    {
+      isWanted[neighbour.Lower.Face] = true;
+    }
+    const auto count = static_cast<std::uint32_t>(this->Set.GetSet().GetTriangles().size());
+    for (std::uint32_t triangle = 0; triangle < count; ++triangle)
+    {
+      const Owner owner = this->OwnerOf(this->Parts.GetOriginOfTriangle(triangle));
+      if (isWanted[owner.Face])
+      {
+        this->OfOwners.push_back({ owner, triangle, this->Set.GetCornerPoints(triangle) });
+      }
+    }
+    std::sort(this->OfOwners.begin(), this->OfOwners.end());
+  }
+
+  void FindOverlapped()
+  {
+    std::vector<skd::Box3> boxes;
+    for (const Owned& owned : this->OfOwners)
+    {
+      boxes.push_back(BoxOf(owned.At));
+    }
+    const skd::PackedRTree tree(boxes);
+    for (auto first = this->Neighbours.begin(); first != this->Neighbours.end();)
+    {
+      auto last = first;
+      std::vector<Owner> owners; // ascending
+      for (; last != this->Neighbours.end() && last->Part == first->Part; ++last)
+      {
+        owners.push_back(last->Lower);
+      }
+      this->AddOverlapped(first->Part, owners, tree);
+      first = last;
+    }
+  }
+
+  static skd::Box3 BoxOf(const Triangle& triangle)
+  {
+    skd::Box3 box;
+    for (const skd::Vector3& x : triangle)
+    {
+      box.Add(x);
+    }
+    return box.Inflated(SkdToleranceOf(triangle));
+  }
+
+  /// Adds a part if one of these owners overlaps it.
+  void AddOverlapped(
+    std::uint32_t part, const std::vector<Owner>& owners, const skd::PackedRTree& tree)
+  {
+    Overlapped found{ part, this->NormalOf(part), this->Parts.GetToleranceOf(part, part), {}, {} };
+    for (const std::uint32_t piece : this->Parts.GetPiecesOf(part))
+    {
+      const Triangle x = this->Parts.PositionsOf(piece);
+      tree.ForEachOverlapping(BoxOf(x),
+        [&](std::uint32_t i)
+        {
+          const Owned& owned = this->OfOwners[i];
+          if (std::binary_search(owners.begin(), owners.end(), owned.Of) &&
+            FacesAs(owned, found.Normal) &&
+            SkdDoOverlap(x, owned.At, found.Normal, found.Tolerance))
+          {
+            found.Above.push_back(&owned);
+          }
+        });
+    }
+    std::sort(found.Above.begin(), found.Above.end());
+    found.Above.erase(std::unique(found.Above.begin(), found.Above.end()), found.Above.end());
+    if (!found.Above.empty())
+    {
+      this->ListOutlines(found);
+      this->All.push_back(std::move(found));
+    }
+  }
+
+  /// Faces of solids inside out, or that are taken away, have the other orientation.
+  static bool FacesAs(const Owned& owned, const skd::Vector3& normal)
+  {
+    constexpr double least = 1.0 - 1e-6;
+    const skd::Vector3 area = AreaOf(owned.At);
+    return std::abs(Dot(area, normal)) > least * Norm(area);
+  }
+
+  //----------------------------------------------------------------------------
+  /// The edges that one of an owner's triangles has and no other, between the points that are to
+  /// take the place of their ends.
+  void ListOutlines(Overlapped& of) const
+  {
+    std::vector<std::uint32_t> known; // points, of which no two are one but for rounding
+    for (const std::uint32_t edge : this->Parts.GetBorderOf(of.Part))
+    {
+      known.push_back(this->Parts.GetBorder()[edge].From);
+    }
+    for (auto first = of.Above.begin(); first != of.Above.end();)
+    {
+      const auto last = std::find_if(
+        first, of.Above.end(), [&](const Owned* owned) { return !(owned->Of == (*first)->Of); });
+      for (const Ends& edge : this->OutlineOf(first, last))
+      {
+        const std::uint32_t a = this->KnownPointOf(edge.first, of.Tolerance, known);
+        const std::uint32_t b = this->KnownPointOf(edge.second, of.Tolerance, known);
+        if (a != b)
+        {
+          of.Outlines.push_back(SkdEdgeCuts::EndsOf(a, b));
+        }
+      }
+      first = last;
+    }
+    std::sort(of.Outlines.begin(), of.Outlines.end());
+    of.Outlines.erase(std::unique(of.Outlines.begin(), of.Outlines.end()), of.Outlines.end());
+  }
+
+  template <class Iterator>
+  std::vector<Ends> OutlineOf(Iterator first, Iterator last) const
+  {
+    std::vector<Ends> edges;
+    for (; first != last; ++first)
+    {
+      const Corners& corners = this->Set.GetCorners((*first)->Number);
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        edges.push_back(SkdEdgeCuts::EndsOf(corners[i], corners[(i + 1) % 3]));
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    std::vector<Ends> once;
+    for (auto edge = edges.begin(); edge != edges.end();)
+    {
+      const auto next = std::upper_bound(edge, edges.end(), *edge);
+      if (next - edge == 1)
+      {
+        once.push_back(*edge);
+      }
+      edge = next;
+    }
+    return once;
+  }
+
+  std::uint32_t KnownPointOf(
+    std::uint32_t point, double tolerance, std::vector<std::uint32_t>& known) const
+  {
+    const skd::Vector3 x = this->Cuts.At(point);
+    const auto found = std::find_if(known.begin(), known.end(),
+      [&](std::uint32_t other)
+      { return other == point || Norm(this->Cuts.At(other) - x) <= tolerance; });
+    if (found != known.end())
+    {
+      return *found;
+    }
+    known.push_back(point);
+    return point;
+  }
+
+  //----------------------------------------------------------------------------
+  /// Returns whether any border is cut.
+  bool CutBorders()
+  {
+    bool isAnyCut = false;
+    for (const Overlapped& of : this->All)
+    {
+      this->Cuts.SetPlane(of.Normal, of.Tolerance);
+      for (const std::uint32_t i : this->Parts.GetBorderOf(of.Part))
+      {
+        const BorderEdge& edge = this->Parts.GetBorder()[i];
+        const Ends ends = SkdEdgeCuts::EndsOf(edge.From, edge.To);
+        for (const Ends& outline : of.Outlines)
+        {
+          this->Cuts.Meet(ends, outline);
+        }
+        isAnyCut = isAnyCut || this->Cuts.IsCut(ends);
+      }
+    }
+    return isAnyCut;
+  }
+
+  /// The boundary with all overlapped parts cut along outlines.
+  std::optional<SkdRoundedFacets> CutParts()
+  {
+    std::vector<bool> isCut(this->Parts.GetNumberOfParts(), false);
+    std::vector<Facet> made;
+    SkdFlatFace face;
+    for (const Overlapped& of : this->All)
+    {
+      this->CutOutlines(of);
+      isCut[of.Part] = this->CutPart(of, face, made);
+    }
+    return made.empty() ? std::nullopt : std::make_optional(this->Gather(isCut, made));
+  }
+
+  /// Where those of several owners cross.
+  void CutOutlines(const Overlapped& of)
+  {
+    this->Cuts.SetPlane(of.Normal, of.Tolerance);
+    for (std::size_t i = 0; i < of.Outlines.size(); ++i)
+    {
+      for (std::size_t k = 0; k < i; ++k)
+      {
+        this->Cuts.Meet(of.Outlines[k], of.Outlines[i]);
+      }
+    }
+  }
+
+  /// Returns whether it could be cut.
+  bool CutPart(const Overlapped& of, SkdFlatFace& face, std::vector<Facet>& made) const
+  {
+    face.Begin();
+    for (const std::uint32_t i : this->Parts.GetBorderOf(of.Part))
+    {
+      const BorderEdge& edge = this->Parts.GetBorder()[i];
+      face.Add(edge.From, edge.To);
+    }
+    for (const Ends& outline : of.Outlines)
+    {
+      std::uint32_t from = outline.first;
+      for (const std::uint32_t point : this->Cuts.ListPoints(outline))
+      {
+        face.AddWithin(from, point);
+        from = point;
+      }
+      face.AddWithin(from, outline.second);
+    }
+    const SkdFlatFace::Triangles* const triangles =
+      face.Triangulate(of.Normal, [this](std::uint32_t point) { return this->Cuts.At(point); });
+    if (!triangles || !triangles->Right.empty())
+    {
+      return false;
+    }
+    for (const Corners& corners : triangles->Left)
+    {
+      made.push_back(this->MakeFacet(of, corners));
+    }
+    return true;
+  }
+
+  /// Of the lowest owner that it is in; else of the part.
+  Facet MakeFacet(const Overlapped& of, const Corners& corners) const
+  {
+    const skd::Vector3 middle = (1.0 / 3.0) *
+      (this->Cuts.At(corners[0]) + this->Cuts.At(corners[1]) + this->Cuts.At(corners[2]));
+    const auto isAt = [&](const Owned* owned) { return IsIn(middle, owned->At, of.Normal); };
+    const auto found = std::find_if(of.Above.begin(), of.Above.end(), isAt);
+    const std::uint32_t first = this->Parts.GetFirstFacetOf(of.Part);
+    Facet facet{ corners, this->Facets.Parents[first], this->Signs[first] };
+    if (found != of.Above.end())
+    {
+      facet.Parent = (*found)->Number;
+      facet.Sign = Dot(AreaOf((*found)->At), of.Normal) > 0.0 ? 1 : -1;
+    }
+    if (facet.Sign < 0)
+    {
+      std::swap(facet.Points[1], facet.Points[2]);
+    }
+    return facet;
+  }
+
+  /// As seen along a normal.
+  static bool IsIn(const skd::Vector3& x, const Triangle& triangle, const skd::Vector3& normal)
+  {
+    const double sign = Dot(AreaOf(triangle), normal) > 0.0 ? 1.0 : -1.0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const skd::Vector3 edge = triangle[(i + 1) % 3] - triangle[i];
+      if (sign * Dot(normal, Cross(edge, x - triangle[i])) < 0.0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  SkdRoundedFacets Gather(const std::vector<bool>& isCut, std::vector<Facet>& made) const
+  {
+    const std::vector<std::uint32_t>& pieces = this->Parts.GetPieces();
+    std::uint32_t next = 0;
+    for (std::uint32_t facet = 0; facet < this->Signs.size(); ++facet)
+    {
+      const bool isPiece = next < pieces.size() && pieces[next] == facet;
+      const std::uint32_t piece = isPiece ? next++ : SkdPieceParts::None;
+      if (this->Signs[facet] != 0 && !(isPiece && isCut[this->Parts.GetPartOf(piece)]))
+      {
+        made.push_back(
+          { this->Facets.Corners[facet], this->Facets.Parents[facet], this->Signs[facet] });
+      }
+    }
+    std::stable_sort(
+      made.begin(), made.end(), [](const Facet& a, const Facet& b) { return a.Parent < b.Parent; });
+    SkdEdgeCuts::Collector collector(this->Cuts);
+    for (const Facet& facet : made)
+    {
+      collector.Add(facet.Points, facet.Parent, facet.Sign);
+    }
+    return collector.Take();
+  }
+
+  const SkdMovedTriangles& Set;
+  const SkdFacets& Facets;
+  const SkdFacetSigns& Signs;
+  const SkdPieceParts& Parts;
+  SkdFaceSets& Faces;
+  SkdEdgeCuts Cuts;
+  std::vector<Neighbour> Neighbours; // ascending
+  std::vector<Owned> OfOwners;       // ascending
+  std::vector<Overlapped> All;
+};
+}
+
+std::optional<SkdRoundedFacets> SkdCutOverlaps(const SkdMovedTriangles& set,
+  const SkdFacets& facets, const SkdFacetSigns& signs, const SkdPieceParts& parts,
+  SkdFaceSets& faces)
+{
+  return CoplanarOverlaps(set, facets, signs, parts, faces).Cut();
+}
+}
