@@ -155,7 +155,7 @@ TEST_P(BooleanOperationCoplanar, TurnedBodiesHaveTheFacesOfStraightOnes)
     { Prism(12, { 0, 0, 0 }, 1.0, 1.0), Prism(17, { 0.8, 0.1, 0 }, 1.0, 1.0),
       Prism(9, { 0.3, 0.9, 0 }, 1.0, 1.0) },
   };
-  // Walls of floats are bent along their diagonals, which are then seen where walls cross.
+  // Sides of floats are bent along their diagonals, which are then seen where bodies cross.
   const bool areFloats = this->GetParam() == VTK_FLOAT;
   const double error = areFloats ? 1e-5 : 1e-12;
   const double more = areFloats ? 1.4 : 1.15;

@@ -3,7 +3,11 @@
 #include "Solids/Boolean/SkdBorderCrossings.h"
 
 #include "Core/Geometry/DisjointSets.h"
+#include "Solids/Boolean/SkdBoxSet.h"
 #include "Solids/Boolean/SkdEdgeCuts.h"
+
+#include <array>
+#include <map>
 
 namespace skdtree
 {
@@ -14,31 +18,31 @@ using BorderEdge = SkdPieceParts::BorderEdge;
 class BorderCrossings
 {
 public:
-  BorderCrossings(const SkdMovedTriangles& set, const SkdFacets& facets)
+  BorderCrossings(const SkdMovedTriangles& set, const SkdFacets& facets, const SkdPieceParts& parts)
     : Set(set)
     , Facets(facets)
+    , Parts(parts)
     , Cuts(set, facets)
   {
   }
 
-  void Add(const SkdPieceParts& parts, std::uint32_t a, std::uint32_t b)
+  void Add(std::uint32_t a, std::uint32_t b)
   {
-    const double tolerance = parts.GetToleranceOf(a, b);
-    this->Cuts.SetPlane(this->NormalOf(parts.GetFirstFacetOf(a)), tolerance);
-    for (const std::uint32_t i : parts.GetBorderOf(a))
+    const bool isFirstLarger =
+      this->Parts.GetBorderOf(a).size() > this->Parts.GetBorderOf(b).size();
+    const std::uint32_t large = isFirstLarger ? a : b;
+    const SkdBoxSet& boxes = this->BoxesOf(large);
+    const double tolerance = this->Parts.GetToleranceOf(a, b);
+    this->Cuts.SetPlane(this->NormalOf(this->Parts.GetFirstFacetOf(a)), tolerance);
+    for (const std::uint32_t i : this->Parts.GetBorderOf(isFirstLarger ? b : a))
     {
-      for (const std::uint32_t j : parts.GetBorderOf(b))
-      {
-        const BorderEdge& first = parts.GetBorder()[i];
-        const BorderEdge& second = parts.GetBorder()[j];
-        if (first.From != second.From &&
-          Norm(this->At(first.From) - this->At(second.From)) <= tolerance)
+      const BorderEdge& first = this->Parts.GetBorder()[i];
+      boxes.ForEachOverlapping(this->BoxOf(first, tolerance),
+        [&](std::uint32_t k)
         {
-          this->Equal.emplace_back(first.From, second.From);
-        }
-        this->Cuts.Meet(
-          SkdEdgeCuts::EndsOf(first.From, first.To), SkdEdgeCuts::EndsOf(second.From, second.To));
-      }
+          const std::uint32_t second = this->Parts.GetBorderOf(large)[k];
+          this->Meet(first, this->Parts.GetBorder()[second], tolerance);
+        });
     }
   }
 
@@ -52,6 +56,37 @@ public:
   }
 
 private:
+  skd::Box3 BoxOf(const BorderEdge& edge, double tolerance) const
+  {
+    return SkdBoxSet::BoxOf(std::array{ this->At(edge.From), this->At(edge.To) }, tolerance);
+  }
+
+  /// Of the edges around a part, which may be in many pairs.
+  const SkdBoxSet& BoxesOf(std::uint32_t part)
+  {
+    auto known = this->Boxes.find(part);
+    if (known == this->Boxes.end())
+    {
+      std::vector<skd::Box3> boxes;
+      for (const std::uint32_t edge : this->Parts.GetBorderOf(part))
+      {
+        boxes.push_back(
+          this->BoxOf(this->Parts.GetBorder()[edge], this->Parts.GetToleranceOf(part, part)));
+      }
+      known = this->Boxes.emplace(part, SkdBoxSet(std::move(boxes))).first;
+    }
+    return known->second;
+  }
+
+  void Meet(const BorderEdge& a, const BorderEdge& b, double tolerance)
+  {
+    if (a.From != b.From && Norm(this->At(a.From) - this->At(b.From)) <= tolerance)
+    {
+      this->Equal.emplace_back(a.From, b.From);
+    }
+    this->Cuts.Meet(SkdEdgeCuts::EndsOf(a.From, a.To), SkdEdgeCuts::EndsOf(b.From, b.To));
+  }
+
   skd::Vector3 At(std::uint32_t point) const { return this->Facets.GetPosition(this->Set, point); }
 
   skd::Vector3 NormalOf(std::uint32_t facet) const
@@ -96,7 +131,9 @@ private:
 
   const SkdMovedTriangles& Set;
   const SkdFacets& Facets;
+  const SkdPieceParts& Parts;
   SkdEdgeCuts Cuts;
+  std::map<std::uint32_t, SkdBoxSet> Boxes;                   // of parts
   std::vector<std::pair<std::uint32_t, std::uint32_t>> Equal; // points, but for rounding
 };
 }
@@ -105,10 +142,10 @@ std::optional<SkdRoundedFacets> SkdSplitBorders(const SkdMovedTriangles& set,
   const SkdFacets& facets, const SkdFacetSigns& signs, const SkdPieceParts& parts,
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs)
 {
-  BorderCrossings crossings(set, facets);
+  BorderCrossings crossings(set, facets, parts);
   for (const auto& [first, second] : pairs)
   {
-    crossings.Add(parts, first, second);
+    crossings.Add(first, second);
   }
   return crossings.Split(signs);
 }

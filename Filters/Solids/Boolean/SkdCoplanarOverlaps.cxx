@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdCoplanarOverlaps.h"
 
-#include "Core/Search/Tree/PackedRTree.h"
+#include "Solids/Boolean/SkdBoxSet.h"
 #include "Solids/Boolean/SkdEdgeCuts.h"
 #include "Solids/Boolean/SkdFacingFacets.h"
 #include "Solids/Boolean/SkdFlatFace.h"
@@ -187,7 +187,7 @@ private:
     {
       boxes.push_back(BoxOf(owned.At));
     }
-    const skd::PackedRTree tree(boxes);
+    const SkdBoxSet tree(std::move(boxes));
     for (auto first = this->Neighbours.begin(); first != this->Neighbours.end();)
     {
       auto last = first;
@@ -203,17 +203,11 @@ private:
 
   static skd::Box3 BoxOf(const Triangle& triangle)
   {
-    skd::Box3 box;
-    for (const skd::Vector3& x : triangle)
-    {
-      box.Add(x);
-    }
-    return box.Inflated(SkdToleranceOf(triangle));
+    return SkdBoxSet::BoxOf(triangle, SkdToleranceOf(triangle));
   }
 
   /// Adds a part if one of these owners overlaps it.
-  void AddOverlapped(
-    std::uint32_t part, const std::vector<Owner>& owners, const skd::PackedRTree& tree)
+  void AddOverlapped(std::uint32_t part, const std::vector<Owner>& owners, const SkdBoxSet& tree)
   {
     Overlapped found{ part, this->NormalOf(part), this->Parts.GetToleranceOf(part, part), {}, {} };
     for (const std::uint32_t piece : this->Parts.GetPiecesOf(part))
@@ -249,14 +243,14 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  /// The edges that one of an owner's triangles has and no other, between the points that are to
-  /// take the place of their ends.
+  /// The edges around each owner's triangles. Of points that are one but for rounding the first is
+  /// taken, of the part if it has any.
   void ListOutlines(Overlapped& of) const
   {
-    std::vector<std::uint32_t> known; // points, of which no two are one but for rounding
+    std::vector<std::uint32_t> points;
     for (const std::uint32_t edge : this->Parts.GetBorderOf(of.Part))
     {
-      known.push_back(this->Parts.GetBorder()[edge].From);
+      points.push_back(this->Parts.GetBorder()[edge].From);
     }
     for (auto first = of.Above.begin(); first != of.Above.end();)
     {
@@ -264,19 +258,64 @@ private:
         first, of.Above.end(), [&](const Owned* owned) { return !(owned->Of == (*first)->Of); });
       for (const Ends& edge : this->OutlineOf(first, last))
       {
-        const std::uint32_t a = this->KnownPointOf(edge.first, of.Tolerance, known);
-        const std::uint32_t b = this->KnownPointOf(edge.second, of.Tolerance, known);
-        if (a != b)
-        {
-          of.Outlines.push_back(SkdEdgeCuts::EndsOf(a, b));
-        }
+        of.Outlines.push_back(edge);
+        points.insert(points.end(), { edge.first, edge.second });
       }
       first = last;
     }
+    const SkdBoxSet boxes = this->BoxesOf(points, [](std::uint32_t i) { return std::array{ i }; });
+    const auto firstAt = [&](std::uint32_t point)
+    {
+      const skd::Vector3 x = this->Cuts.At(point);
+      auto lowest = static_cast<std::uint32_t>(points.size());
+      boxes.ForEachOverlapping(SkdBoxSet::BoxOf(std::array{ x }, of.Tolerance),
+        [&](std::uint32_t k)
+        {
+          const bool isSame = Norm(this->Cuts.At(points[k]) - x) <= of.Tolerance;
+          lowest = isSame ? std::min(lowest, k) : lowest;
+        });
+      return points[lowest];
+    };
+    for (Ends& edge : of.Outlines)
+    {
+      edge = SkdEdgeCuts::EndsOf(firstAt(edge.first), firstAt(edge.second));
+    }
+    const auto isPoint = [](const Ends& edge) { return edge.first == edge.second; };
+    of.Outlines.erase(
+      std::remove_if(of.Outlines.begin(), of.Outlines.end(), isPoint), of.Outlines.end());
     std::sort(of.Outlines.begin(), of.Outlines.end());
     of.Outlines.erase(std::unique(of.Outlines.begin(), of.Outlines.end()), of.Outlines.end());
   }
 
+  /// Of items by the points that each has.
+  template <class Item, class PointsOf>
+  SkdBoxSet BoxesOf(const std::vector<Item>& items, const PointsOf& pointsOf) const
+  {
+    std::vector<skd::Box3> boxes;
+    for (const Item& item : items)
+    {
+      skd::Box3 box;
+      for (const std::uint32_t point : pointsOf(item))
+      {
+        box.Add(this->Cuts.At(point));
+      }
+      boxes.push_back(box);
+    }
+    return SkdBoxSet(std::move(boxes));
+  }
+
+  static std::array<std::uint32_t, 2> PointsOf(const Ends& edge)
+  {
+    return { edge.first, edge.second };
+  }
+
+  skd::Box3 BoxOf(const Ends& edge, double tolerance) const
+  {
+    return SkdBoxSet::BoxOf(
+      std::array{ this->Cuts.At(edge.first), this->Cuts.At(edge.second) }, tolerance);
+  }
+
+  /// The edges that one of an owner's triangles has and no other.
   template <class Iterator>
   std::vector<Ends> OutlineOf(Iterator first, Iterator last) const
   {
@@ -303,21 +342,6 @@ private:
     return once;
   }
 
-  std::uint32_t KnownPointOf(
-    std::uint32_t point, double tolerance, std::vector<std::uint32_t>& known) const
-  {
-    const skd::Vector3 x = this->Cuts.At(point);
-    const auto found = std::find_if(known.begin(), known.end(),
-      [&](std::uint32_t other)
-      { return other == point || Norm(this->Cuts.At(other) - x) <= tolerance; });
-    if (found != known.end())
-    {
-      return *found;
-    }
-    known.push_back(point);
-    return point;
-  }
-
   //----------------------------------------------------------------------------
   /// Returns whether any border is cut.
   bool CutBorders()
@@ -325,15 +349,14 @@ private:
     bool isAnyCut = false;
     for (const Overlapped& of : this->All)
     {
+      const SkdBoxSet boxes = this->BoxesOf(of.Outlines, PointsOf);
       this->Cuts.SetPlane(of.Normal, of.Tolerance);
       for (const std::uint32_t i : this->Parts.GetBorderOf(of.Part))
       {
         const BorderEdge& edge = this->Parts.GetBorder()[i];
         const Ends ends = SkdEdgeCuts::EndsOf(edge.From, edge.To);
-        for (const Ends& outline : of.Outlines)
-        {
-          this->Cuts.Meet(ends, outline);
-        }
+        boxes.ForEachOverlapping(this->BoxOf(ends, of.Tolerance),
+          [&](std::uint32_t k) { this->Cuts.Meet(ends, of.Outlines[k]); });
         isAnyCut = isAnyCut || this->Cuts.IsCut(ends);
       }
     }
@@ -357,13 +380,18 @@ private:
   /// Where those of several owners cross.
   void CutOutlines(const Overlapped& of)
   {
+    const SkdBoxSet boxes = this->BoxesOf(of.Outlines, PointsOf);
     this->Cuts.SetPlane(of.Normal, of.Tolerance);
     for (std::size_t i = 0; i < of.Outlines.size(); ++i)
     {
-      for (std::size_t k = 0; k < i; ++k)
-      {
-        this->Cuts.Meet(of.Outlines[k], of.Outlines[i]);
-      }
+      boxes.ForEachOverlapping(this->BoxOf(of.Outlines[i], of.Tolerance),
+        [&](std::uint32_t k)
+        {
+          if (k < i)
+          {
+            this->Cuts.Meet(of.Outlines[k], of.Outlines[i]);
+          }
+        });
     }
   }
 
@@ -392,26 +420,38 @@ private:
     {
       return false;
     }
+    std::vector<skd::Box3> boxes;
+    for (const Owned* owned : of.Above)
+    {
+      boxes.push_back(BoxOf(owned->At));
+    }
+    const SkdBoxSet above(std::move(boxes));
     for (const Corners& corners : triangles->Left)
     {
-      made.push_back(this->MakeFacet(of, corners));
+      made.push_back(this->MakeFacet(of, above, corners));
     }
     return true;
   }
 
   /// Of the lowest owner that it is in; else of the part.
-  Facet MakeFacet(const Overlapped& of, const Corners& corners) const
+  Facet MakeFacet(const Overlapped& of, const SkdBoxSet& above, const Corners& corners) const
   {
     const skd::Vector3 middle = (1.0 / 3.0) *
       (this->Cuts.At(corners[0]) + this->Cuts.At(corners[1]) + this->Cuts.At(corners[2]));
-    const auto isAt = [&](const Owned* owned) { return IsIn(middle, owned->At, of.Normal); };
-    const auto found = std::find_if(of.Above.begin(), of.Above.end(), isAt);
+    auto lowest = static_cast<std::uint32_t>(of.Above.size());
+    above.ForEachOverlapping(SkdBoxSet::BoxOf(std::array{ middle }, of.Tolerance),
+      [&](std::uint32_t k)
+      {
+        const bool isIn = k < lowest && IsIn(middle, of.Above[k]->At, of.Normal);
+        lowest = isIn ? k : lowest;
+      });
     const std::uint32_t first = this->Parts.GetFirstFacetOf(of.Part);
     Facet facet{ corners, this->Facets.Parents[first], this->Signs[first] };
-    if (found != of.Above.end())
+    if (lowest < of.Above.size())
     {
-      facet.Parent = (*found)->Number;
-      facet.Sign = Dot(AreaOf((*found)->At), of.Normal) > 0.0 ? 1 : -1;
+      const Owned& owned = *of.Above[lowest];
+      facet.Parent = owned.Number;
+      facet.Sign = Dot(AreaOf(owned.At), of.Normal) > 0.0 ? 1 : -1;
     }
     if (facet.Sign < 0)
     {

@@ -17,8 +17,7 @@ namespace skdtree
 /// result is the boundary with that border split (SkdEdgeCuts), and else with the parts cut. It
 /// has the facets of the boundary only, by ascending parent, and no table of edges; none if no part
 /// overlaps. A part that cannot be cut stays. O(n log n) for the facets of parts that have such a
-/// neighbour and the triangles of its face, and O(k m) for k edges around a part and m around what
-/// overlaps it.
+/// neighbour and the triangles of its face, if each is near few others.
 std::optional<SkdRoundedFacets> SkdCutOverlaps(const SkdMovedTriangles& set,
   const SkdFacets& facets, const SkdFacetSigns& signs, const SkdPieceParts& parts,
   SkdFaceSets& faces);

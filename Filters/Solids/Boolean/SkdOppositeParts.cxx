@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdOppositeParts.h"
 
+#include "Solids/Boolean/SkdBoxSet.h"
 #include "Solids/Boolean/SkdFacingFacets.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace skdtree
 {
@@ -34,7 +36,7 @@ public:
   }
 
   template <class AreApart>
-  std::vector<Pair> Find(const AreApart& areApart, bool areSeveral) const
+  std::vector<Pair> Find(const AreApart& areApart, bool areSeveral)
   {
     std::vector<Pair> pairs = this->ListParallel();
     const auto isLeftOut = [&](const Pair& pair)
@@ -122,36 +124,50 @@ private:
   }
 
   /// In one plane, and one over the other.
-  bool AreLaid(std::uint32_t a, std::uint32_t b) const
+  bool AreLaid(std::uint32_t a, std::uint32_t b)
   {
     const auto originOf = [this](std::uint32_t part)
     { return this->Parts.GetOriginOf(this->Parts.GetFirstFacetOf(part)) / 2; };
-    constexpr std::size_t most = 1000000; // pairs of pieces
-    if (this->Parts.GetPiecesOf(a).size() * this->Parts.GetPiecesOf(b).size() > most ||
-      !this->Faces.AreInOnePlane(originOf(a), originOf(b)))
+    if (!this->Faces.AreInOnePlane(originOf(a), originOf(b)))
     {
       return false;
     }
-    const std::vector<Triangle> ofA = this->ListTriangles(a);
-    const std::vector<Triangle> ofB = this->ListTriangles(b);
+    const bool isFirstLarger =
+      this->Parts.GetPiecesOf(a).size() > this->Parts.GetPiecesOf(b).size();
+    const std::uint32_t large = isFirstLarger ? a : b;
+    const SkdBoxSet& boxes = this->BoxesOf(large);
     const skd::Vector3& normal = this->Normals[a];
     const double tolerance = this->Parts.GetToleranceOf(a, b);
-    return std::any_of(ofA.begin(), ofA.end(),
-      [&](const Triangle& first)
+    const auto pieces = this->Parts.GetPiecesOf(isFirstLarger ? b : a);
+    return std::any_of(pieces.begin(), pieces.end(),
+      [&](std::uint32_t piece)
       {
-        return std::any_of(ofB.begin(), ofB.end(),
-          [&](const Triangle& second) { return SkdDoOverlap(first, second, normal, tolerance); });
+        const Triangle x = this->Parts.PositionsOf(piece);
+        bool isLaid = false;
+        boxes.ForEachOverlapping(SkdBoxSet::BoxOf(x, tolerance),
+          [&](std::uint32_t k)
+          {
+            const std::uint32_t other = this->Parts.GetPiecesOf(large)[k];
+            isLaid = isLaid || SkdDoOverlap(x, this->Parts.PositionsOf(other), normal, tolerance);
+          });
+        return isLaid;
       });
   }
 
-  std::vector<Triangle> ListTriangles(std::uint32_t part) const
+  /// Of the pieces of a part, which may be in many pairs.
+  const SkdBoxSet& BoxesOf(std::uint32_t part)
   {
-    std::vector<Triangle> triangles;
-    for (const std::uint32_t piece : this->Parts.GetPiecesOf(part))
+    auto known = this->Boxes.find(part);
+    if (known == this->Boxes.end())
     {
-      triangles.push_back(this->Facets.GetPositions(this->Set, this->Parts.GetPieces()[piece]));
+      std::vector<skd::Box3> boxes;
+      for (const std::uint32_t piece : this->Parts.GetPiecesOf(part))
+      {
+        boxes.push_back(SkdBoxSet::BoxOf(this->Parts.PositionsOf(piece), 0.0));
+      }
+      known = this->Boxes.emplace(part, SkdBoxSet(std::move(boxes))).first;
     }
-    return triangles;
+    return known->second;
   }
 
   const SkdMovedTriangles& Set;
@@ -160,7 +176,8 @@ private:
   const SkdPieceParts& Parts;
   const SkdFaceSets& Faces;
   const std::vector<Pair>& Facing;
-  std::vector<skd::Vector3> Normals; // of each part
+  std::vector<skd::Vector3> Normals;        // of each part
+  std::map<std::uint32_t, SkdBoxSet> Boxes; // of parts
 };
 }
 
