@@ -414,10 +414,15 @@ void vtkSkdTreePointInOut::FillOutputs(const PartFacts& facts, const std::vector
   const auto to = this->Ask == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL;
   vtkIdType points = 0;
   vtkIdType inside = 0;
+  const SkdLeafNumbers leaves = SkdLeafNumbersOf(vtkDataObject::GetData(outputVector, 0));
+  if (auto* blocks = vtkMultiBlockDataSet::GetData(outputVector, 1))
+  {
+    blocks->SetNumberOfBlocks(leaves.Count);
+  }
   for (std::size_t i = 0; i < meshes.size(); ++i)
   {
     answers[i].AddTo(meshes[i].Mesh->GetAttributes(to));
-    this->ExtractFrom(meshes[i].Mesh, answers[i], outputVector);
+    this->ExtractFrom(meshes[i].Mesh, leaves.Of[i], answers[i], outputVector);
     const std::vector<unsigned char> shown = SkdFindShown(meshes[i].Mesh, to);
     points += SkdCountShown(shown);
     inside += SkdCountShown(shown, [&](vtkIdType element) { return answers[i].IsInside(element); });
@@ -439,7 +444,7 @@ void vtkSkdTreePointInOut::FillOutputs(const PartFacts& facts, const std::vector
 }
 
 void vtkSkdTreePointInOut::ExtractFrom(
-  vtkDataSet* mesh, const SkdInOuts& answers, vtkInformationVector* outputVector)
+  vtkDataSet* mesh, unsigned int leaf, const SkdInOuts& answers, vtkInformationVector* outputVector)
 {
   const bool wantsInside = this->Extract == INSIDE;
   vtkSmartPointer<vtkUnstructuredGrid> grid = this->Extract == NOTHING
@@ -447,7 +452,7 @@ void vtkSkdTreePointInOut::ExtractFrom(
     : ExtractThose(mesh, answers, wantsInside, this->Ask != POINTS);
   if (auto* blocks = vtkMultiBlockDataSet::GetData(outputVector, 1))
   {
-    blocks->SetBlock(blocks->GetNumberOfBlocks(), grid);
+    blocks->SetBlock(leaf, grid);
     return;
   }
   vtkUnstructuredGrid::GetData(outputVector, 1)->ShallowCopy(grid);

@@ -44,7 +44,8 @@
  * becomes the active scalars.
  *
  * Output port 1: optional (see SetExtract), the part of the input that is inside, or outside, as a
- * vtkUnstructuredGrid; for composite data a vtkMultiBlockDataSet with one for each data set.
+ * vtkUnstructuredGrid; for composite data a vtkMultiBlockDataSet with one for each leaf, at the
+ * leaf's number.
  *
  * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsInside,
  * SkdReportParts, SkdReportOpenParts, SkdReportOpenEdges, SkdReportOuterFaces (1 if outer faces of
@@ -300,8 +301,8 @@ private:
   bool AsksCorners() const { return this->Ask == CELLS_ALL_POINTS || this->Ask == CELLS_ANY_POINT; }
   void FillOutputs(const PartFacts& facts, const std::vector<skdtree::SkdBlock>& meshes,
     const std::vector<skdtree::SkdInOuts>& answers, vtkInformationVector* outputVector);
-  void ExtractFrom(
-    vtkDataSet* mesh, const skdtree::SkdInOuts& answers, vtkInformationVector* outputVector);
+  void ExtractFrom(vtkDataSet* mesh, unsigned int leaf, const skdtree::SkdInOuts& answers,
+    vtkInformationVector* outputVector);
   vtkIdType CountQueryPoints(const std::vector<skdtree::SkdBlock>& blocks) const;
 
   std::unique_ptr<Internals> Impl; // the parts, kept while the source is unchanged

@@ -270,7 +270,7 @@ int vtkSkdTreeRemap::RequestData(
   }
   if (this->GenerateOverlapMesh)
   {
-    remap.FillOverlaps(vtkDataObject::GetData(outputVector, 2));
+    remap.FillOverlaps(input, vtkDataObject::GetData(outputVector, 2));
   }
   Warn(remap, WriteWeights(remap, input, SkdControllerOf(information), processes.get()), this);
   remap.AddReport(watch.Lap(), output);

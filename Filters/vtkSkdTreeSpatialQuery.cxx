@@ -143,7 +143,8 @@ private:
   const std::vector<std::vector<vtkIdType>>& JoinedIds;
 };
 
-/// The input's structure or, if that cannot hold unstructured grids, the sequence of its blocks.
+/// The input's structure or, if that cannot hold unstructured grids, its leaves by their
+/// numbers.
 void ExtractTo(vtkDataObject* output, vtkDataObject* input, Extraction& extraction)
 {
   output->GetFieldData()->PassData(input->GetFieldData());
@@ -156,9 +157,12 @@ void ExtractTo(vtkDataObject* output, vtkDataObject* input, Extraction& extracti
   if (!tree)
   {
     auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output);
+    std::size_t next = 0;
+    const SkdLeafNumbers leaves = SkdLeafNumbersOf(input);
+    blocks->SetNumberOfBlocks(leaves.Count);
     for (const SkdBlock& block : SkdBlocksOf(input))
     {
-      blocks->SetBlock(blocks->GetNumberOfBlocks(), extraction.Extract(block.Mesh));
+      blocks->SetBlock(leaves.Of[next++], extraction.Extract(block.Mesh));
     }
     return;
   }

@@ -5,6 +5,7 @@
 #include "Cells/Read/SkdCellReader.h"
 #include "Cells/Read/SkdStoredValues.h"
 #include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdShownElements.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
@@ -40,6 +41,19 @@ void RemoveMarksOfDuplicates(vtkDataSetAttributes* data)
     std::transform(marks, marks + ghosts->GetNumberOfValues(), marks,
       [](unsigned char mark)
       { return static_cast<unsigned char>(mark & ~vtkDataSetAttributes::DUPLICATECELL); });
+  }
+}
+
+void AddHidden(vtkDataSet* piece, std::vector<unsigned char>& marked)
+{
+  const SkdShown shown(piece, vtkDataObject::POINT);
+  for (vtkIdType point = 0; shown.MayHide() && point < piece->GetNumberOfPoints(); ++point)
+  {
+    if (!shown.Has(point))
+    {
+      marked.resize(static_cast<std::size_t>(piece->GetNumberOfPoints()), 0);
+      marked[static_cast<std::size_t>(point)] = 1;
+    }
   }
 }
 
@@ -183,6 +197,7 @@ std::vector<unsigned char> SkdIncompleteOf(vtkDataSet* piece, int type)
   if (type == vtkDataObject::POINT)
   {
     AddPointsOfDuplicates(piece, SkdDuplicatesOf(piece, vtkDataObject::CELL), incomplete);
+    AddHidden(piece, incomplete);
   }
   return incomplete;
 }

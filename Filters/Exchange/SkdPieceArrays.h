@@ -40,7 +40,7 @@ std::vector<unsigned char> SkdDuplicatesOf(vtkDataSet* piece, int type);
 
 /// The same, also of points that are in duplicate cells alone. Sources do not mark all of these,
 /// and data that come of a point's neighbours, as normals do, are not complete there: another piece
-/// has them. O(n).
+/// has them. So are points that are hidden there, but may be shown in another piece. O(n).
 std::vector<unsigned char> SkdIncompleteOf(vtkDataSet* piece, int type);
 
 /// Whether any point or cell of a piece is marked as a duplicate.

@@ -120,6 +120,27 @@ std::vector<SkdBlock> SkdBlocksOf(vtkDataObject* object)
   return blocks;
 }
 
+SkdLeafNumbers SkdLeafNumbersOf(vtkDataObject* object)
+{
+  vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(object);
+  if (!composite)
+  {
+    return { { 0 }, 1 };
+  }
+  SkdLeafNumbers numbers;
+  auto iterator = IteratorOf(composite);
+  iterator->SkipEmptyNodesOff();
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    if (vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
+    {
+      numbers.Of.push_back(numbers.Count);
+    }
+    ++numbers.Count;
+  }
+  return numbers;
+}
+
 std::vector<SkdBlock> SkdBlocksWithCells(std::vector<SkdBlock> blocks)
 {
   const auto isEmpty = [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; };

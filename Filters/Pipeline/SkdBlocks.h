@@ -34,6 +34,16 @@ bool SkdIsComposite(vtkDataObject* object);
 /// vtkDataSet (such as tables) are skipped. Empty for nullptr.
 std::vector<SkdBlock> SkdBlocksOf(vtkDataObject* object);
 
+/// The number of each of them among all leaves of the structure, empty ones, too: the same on
+/// processes that have the structure alike, but other blocks in it. What is not composite is one
+/// leaf.
+struct SkdLeafNumbers
+{
+  std::vector<unsigned int> Of; ///< each block
+  unsigned int Count = 0;       ///< of all leaves
+};
+SkdLeafNumbers SkdLeafNumbersOf(vtkDataObject* object);
+
 /// Those of them that have cells.
 std::vector<SkdBlock> SkdBlocksWithCells(std::vector<SkdBlock> blocks);
 

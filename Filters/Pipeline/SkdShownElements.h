@@ -99,6 +99,9 @@ public:
     }
   }
 
+  /// Whether it must be looked at: maybe none is hidden.
+  bool MayHide() const { return !this->Shown.empty(); }
+
   bool Has(vtkIdType id) const
   {
     return this->Shown.empty() || this->Shown[static_cast<std::size_t>(id)] != 0;

@@ -47,10 +47,11 @@ void SkdMeshRemap::Run(SkdRemapPair& pair, const SkdRemapRequest& request,
   this->Refused.clear();
   this->Empty.clear();
   this->SetUp(processes);
-  this->Begin(processes != nullptr);
+  this->Begin(processes);
   this->MapAll(processes);
   if (processes)
   {
+    this->Remapper.AddOverlaps(*processes);
     this->Remapper.AddIntegrals(*processes);
   }
 }
@@ -83,11 +84,13 @@ void SkdMeshRemap::SetUp(const skd::Processes* processes)
 }
 
 // What only the prober maps it reads itself.
-void SkdMeshRemap::Begin(bool hasOthers)
+void SkdMeshRemap::Begin(const skd::Processes* processes)
 {
+  const bool hasOthers = processes != nullptr;
   const bool hasCells = this->Pair->HasCells();
   const bool isAutomatic = this->Request->Method == SkdRemapMethod::Automatic;
-  const bool isForced = isAutomatic && (!hasCells || !this->Pair->IsOfOneDimension());
+  const bool isOfOne = !isAutomatic || this->Pair->IsOfOneDimension(processes);
+  const bool isForced = isAutomatic && (!hasCells || !isOfOne);
   this->Method = isForced ? SkdRemapMethod::Interpolation : this->Request->Method;
   const vtkNew<vtkUnstructuredGrid> nothing;
   const bool isProbed = this->Method == SkdRemapMethod::Interpolation &&
@@ -210,9 +213,14 @@ void SkdMeshRemap::FillWeights(bool withBlocks, vtkTable* table) const
   }
 }
 
-void SkdMeshRemap::FillOverlaps(vtkDataObject* overlaps) const
+void SkdMeshRemap::FillOverlaps(vtkDataObject* input, vtkDataObject* overlaps) const
 {
+  const SkdLeafNumbers leaves = SkdLeafNumbersOf(input);
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(overlaps);
+  if (blocks)
+  {
+    blocks->SetNumberOfBlocks(leaves.Count);
+  }
   const std::vector<SkdBlock>& targets = this->Pair->GetTargets();
   for (std::size_t block = 0; block < targets.size(); ++block)
   {
@@ -223,7 +231,7 @@ void SkdMeshRemap::FillOverlaps(vtkDataObject* overlaps) const
       : nullptr;
     if (mesh && blocks)
     {
-      blocks->SetBlock(static_cast<unsigned int>(block), mesh);
+      blocks->SetBlock(leaves.Of[block], mesh);
     }
     else if (mesh)
     {

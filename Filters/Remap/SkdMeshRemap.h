@@ -57,7 +57,7 @@ public:
   /// After Run(), of what was mapped conservatively: the weights as rows, and the overlaps as a
   /// mesh, one a block if `overlaps` has blocks. `withBlocks` adds the block to each row.
   void FillWeights(bool withBlocks, vtkTable* table) const;
-  void FillOverlaps(vtkDataObject* overlaps) const;
+  void FillOverlaps(vtkDataObject* input, vtkDataObject* overlaps) const;
   ///@}
 
   /// After Run(): writes the file of weights that is asked for, unless there it is. `sharers` are
@@ -80,7 +80,7 @@ private:
     const std::vector<SkdWeightsBlock>& blocks, const SkdWeightsSharers& sharers) const;
   std::vector<vtkIdType> RowsOf(const SkdTargetRows& rows) const;
   void SetUp(const skd::Processes* processes);
-  void Begin(bool hasOthers);
+  void Begin(const skd::Processes* processes);
   void MapAll(const skd::Processes* processes);
   void MapBlocks(double start);
   void MapBlock(std::size_t block, double first, double last);

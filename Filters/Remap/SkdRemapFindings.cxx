@@ -42,7 +42,8 @@ std::vector<std::string> SkdRemapFindings::GetWarnings(const std::string& hint) 
   NameFaulty(this->InputTooLarge, "Input", TooLarge, warnings);
   NameFaulty(this->SourceCrossing, "Source", Crossing, warnings);
   NameFaulty(this->InputCrossing, "Input", Crossing, warnings);
-  if (this->WeightsFound > 0 && this->Overlaps == 0 && warnings.empty())
+  if (this->WeightsUsed > 0 && this->Overlaps == 0 && this->OverlapsElsewhere == 0 &&
+    warnings.empty())
   {
     warnings.push_back(
       "Input and Source have nothing in common: no cell gets a value. Look at the bounds of both, "

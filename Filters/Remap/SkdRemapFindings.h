@@ -38,8 +38,10 @@ struct SkdRemapFindings
   vtkIdType Unfit = 0; ///< cells of a type that contains nothing
   SkdFaultyCells SourceTooLarge, InputTooLarge, SourceCrossing, InputCrossing;
   vtkIdType Overlaps = 0;
+  vtkIdType OverlapsElsewhere = 0;            ///< of other processes
   std::optional<SkdSurfaceFindings> Surfaces; ///< of curved ones
   int WeightsFound = 0;                       ///< for how many blocks they were not kept
+  int WeightsUsed = 0;                        ///< for how many blocks there are some, new or kept
 
   /// What to warn of besides fields, with what to do; `hint` is said of meshes that do not meet.
   std::vector<std::string> GetWarnings(const std::string& hint = {}) const;

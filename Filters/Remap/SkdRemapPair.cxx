@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace skdtree
 {
@@ -239,12 +240,37 @@ vtkIdType SkdRemapPair::GetNumberOfTargetCells() const
   return cells;
 }
 
-bool SkdRemapPair::IsOfOneDimension() const
+// A process's part of a block may have lower cells only.
+bool SkdRemapPair::IsOfOneDimension(const skd::Processes* processes) const
 {
-  const int dimension = SkdDimensionOf(this->Donor);
-  return std::all_of(this->Targets.begin(), this->Targets.end(),
-    [&](const SkdBlock& block)
-    { return block.Mesh->GetNumberOfCells() == 0 || SkdDimensionOf(block.Mesh) == dimension; });
+  std::vector<double> own{ static_cast<double>(SkdDimensionOf(this->Donor)) };
+  for (const SkdBlock& block : this->Targets)
+  {
+    if (block.Mesh->GetNumberOfCells() > 0)
+    {
+      own.push_back(block.BlockIndex);
+      own.push_back(SkdDimensionOf(block.Mesh));
+    }
+  }
+  std::vector<std::vector<double>> all;
+  if (processes)
+  {
+    all = processes->GatherFromOthers(own);
+  }
+  all.push_back(own);
+  double ofDonor = 0.0;
+  std::map<double, double> ofBlocks;
+  for (const std::vector<double>& told : all)
+  {
+    ofDonor = std::max(ofDonor, told[0]);
+    for (std::size_t i = 1; i < told.size(); i += 2)
+    {
+      double& dimension = ofBlocks[told[i]];
+      dimension = std::max(dimension, told[i + 1]);
+    }
+  }
+  return std::all_of(ofBlocks.begin(), ofBlocks.end(),
+    [ofDonor](const auto& block) { return block.second == ofDonor; });
 }
 
 //------------------------------------------------------------------------------
@@ -253,8 +279,7 @@ SkdOverlapSpace SkdRemapPair::FindSpace() const
   constexpr SkdOverlapSpace spaces[] = { SkdOverlapSpace::Line, SkdOverlapSpace::Line,
     SkdOverlapSpace::Plane, SkdOverlapSpace::Sphere, SkdOverlapSpace::Volume,
     SkdOverlapSpace::CurvedSurface };
-  const SkdBlock* block = this->FirstWithCells();
-  if (!block)
+  if (!this->HasCells())
   {
     return SkdOverlapSpace::Volume;
   }
@@ -262,7 +287,11 @@ SkdOverlapSpace SkdRemapPair::FindSpace() const
   {
     return spaces[static_cast<int>(this->Request.Geometry)];
   }
-  const SkdOverlapSpace space = SpaceOf(block->Mesh);
+  SkdOverlapSpace space = SkdOverlapSpace::Line;
+  for (const SkdBlock& block : this->Targets)
+  {
+    space = block.Mesh->GetNumberOfCells() > 0 ? std::max(space, SpaceOf(block.Mesh)) : space;
+  }
   if (space != SkdOverlapSpace::Sphere && space != SkdOverlapSpace::Plane)
   {
     return space;

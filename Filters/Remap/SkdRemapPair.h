@@ -44,8 +44,10 @@ public:
   /// Names of arrays that only some blocks of the donor have.
   const std::set<std::string>& GetPartialArrays() const { return this->PartialArrays; }
 
-  bool HasCells() const;         ///< the target
-  bool IsOfOneDimension() const; ///< cells of both
+  bool HasCells() const; ///< the target
+
+  /// Whether the cells of both are, on all processes. All must call it together.
+  bool IsOfOneDimension(const skd::Processes* processes) const;
   bool IsDonorStructured() const { return this->DonorStructured; }
   /// 0 if it is on no sphere; the same on all processes.
   double RadiusOfTarget() const { return this->TargetRadius; }

@@ -300,6 +300,7 @@ void SkdRemapper::Count(const SkdOverlapWeights& weights, bool isNew)
   const SkdOverlapCells& donor = weights.GetDonor();
   this->Findings.Overlaps += static_cast<vtkIdType>(weights.GetTable().Columns.size());
   this->Findings.WeightsFound += isNew ? 1 : 0;
+  ++this->Findings.WeightsUsed;
   this->Findings.SourceLeftOut = donor.LeftOut;
   this->Findings.SourceTooLarge = {};
   this->Findings.SourceCrossing = {};
@@ -450,6 +451,12 @@ void SkdRemapper::FinishClipped(const std::vector<SkdClippedSum>& sums)
     }
   }
   this->Clipped.clear();
+}
+
+void SkdRemapper::AddOverlaps(const skd::Processes& processes)
+{
+  const auto own = static_cast<double>(this->Findings.Overlaps);
+  this->Findings.OverlapsElsewhere = static_cast<vtkIdType>(processes.SumOf(own) - own);
 }
 
 void SkdRemapper::AssureSums(const skd::Processes* processes)

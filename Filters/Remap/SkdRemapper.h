@@ -51,6 +51,7 @@ public:
   /// part in what is conservative, with cells or without, and in the end the sums.
   void ExpectIntegrals();
   void AddIntegrals(const skd::Processes& processes);
+  void AddOverlaps(const skd::Processes& processes); ///< how many the others have
   ///@}
 
   /// Of curved surfaces, before any block is mapped: finds how all blocks face the donor, and the

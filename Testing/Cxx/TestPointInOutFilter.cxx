@@ -249,7 +249,7 @@ TEST(PointInOut, ExtractsCellsOfEveryKindWithTheirData)
   }
 }
 
-TEST(PointInOut, OfCompositeDataExtractsABlockForEach)
+TEST(PointInOut, OfCompositeDataExtractsABlockForEachLeaf)
 {
   auto blocks = MakeBlocks({ MakeGrid(Hexahedra(2)), nullptr, MakeGrid(Tetrahedra(2)) });
   InOutPointer filter = MakeInOut(blocks, MakePolyData(Sphere(10, 9.0)));
@@ -258,12 +258,34 @@ TEST(PointInOut, OfCompositeDataExtractsABlockForEach)
   filter->Update();
   auto* found = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(1));
   ASSERT_NE(found, nullptr);
-  ASSERT_EQ(found->GetNumberOfBlocks(), 2u);
+  ASSERT_EQ(found->GetNumberOfBlocks(), 3u);
   EXPECT_EQ(vtkDataSet::SafeDownCast(found->GetBlock(0))->GetNumberOfCells(), 8);
-  EXPECT_EQ(vtkDataSet::SafeDownCast(found->GetBlock(1))->GetNumberOfCells(), 48);
+  EXPECT_EQ(found->GetBlock(1), nullptr);
+  EXPECT_EQ(vtkDataSet::SafeDownCast(found->GetBlock(2))->GetNumberOfCells(), 48);
   filter->Modified();
   filter->Update();
-  EXPECT_EQ(found->GetNumberOfBlocks(), 2u);
+  EXPECT_EQ(found->GetNumberOfBlocks(), 3u);
+}
+
+/// The id of a part is the index of its block, which may be another while its mesh is the same.
+TEST(PointInOut, ABlockThatMovesHasItsNewIndexAsId)
+{
+  const auto ball = MakePolyData(Sphere(10, 9.0));
+  for (const int parts : { InOut::BLOCKS, InOut::CONNECTED_PIECES })
+  {
+    InOutPointer filter = MakeInOut(MakeGrid(Hexahedra(2)), MakeBlocks({ ball, nullptr, nullptr }));
+    filter->SetParts(parts);
+    for (const unsigned int at : { 0u, 1u, 2u, 0u })
+    {
+      std::vector<vtkSmartPointer<vtkDataSet>> blocks(3);
+      blocks[at] = ball;
+      filter->SetInputDataObject(1, MakeBlocks({ blocks[0], blocks[1], blocks[2] }));
+      filter->Update();
+      auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+      const double id = output->GetPointData()->GetArray("SkdPartId")->GetTuple1(0);
+      EXPECT_EQ(id, parts == InOut::BLOCKS ? at + 1.0 : 0.0);
+    }
+  }
 }
 
 }

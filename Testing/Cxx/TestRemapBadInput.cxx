@@ -48,6 +48,8 @@ TEST(RemapBadInput, WhatHasNothingInCommonIsWarnedOf)
   EXPECT_NE(WarningOf(remap).find("nothing in common"), std::string::npos);
   EXPECT_TRUE(std::isnan(RemappedCells(remap, "f")[0]));
   EXPECT_EQ(Reported(remap, "InputCellsEmpty"), 4);
+  remap->Modified(); // weights are kept
+  EXPECT_NE(WarningOf(remap).find("nothing in common"), std::string::npos);
 }
 
 TEST(RemapBadInput, StringsAndNamesInUseAreLeftOutByName)

@@ -82,10 +82,11 @@ std::vector<int> SkdPartIdsOf(vtkDataSet* mesh, const std::string& array)
 int SkdPartList::Update(const std::vector<SkdBlock>& blocks, SkdPartsBy by,
   const std::string& array, const SkdPartSettings& settings)
 {
-  Key key{ by, settings, {} };
-  if (by == SkdPartsBy::CellArray)
+  Key key{ by, settings, {}, {} };
+  for (const SkdBlock& block : blocks)
   {
-    for (const SkdBlock& block : blocks)
+    key.BlockIndices.push_back(block.BlockIndex);
+    if (by == SkdPartsBy::CellArray)
     {
       key.Ids.push_back(SkdPartIdsOf(block.Mesh, array));
     }

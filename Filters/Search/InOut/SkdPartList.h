@@ -50,17 +50,19 @@ private:
     SkdPartsBy By;
     SkdPartSettings Settings;
     std::vector<std::vector<int>> Ids; // of cells, one list a block, unless by blocks
+    std::vector<int> BlockIndices;     // of blocks, which may move while their meshes stay
 
     bool operator==(const Key& other) const
     {
-      return this->By == other.By && this->Settings == other.Settings && this->Ids == other.Ids;
+      return this->By == other.By && this->Settings == other.Settings && this->Ids == other.Ids &&
+        this->BlockIndices == other.BlockIndices;
     }
   };
 
   void MakeByIds(const std::vector<SkdBlock>& blocks);
 
   SkdBlockSnapshots Meshes;
-  Key Last{ SkdPartsBy::Blocks, { -1.0 }, {} };
+  Key Last{ SkdPartsBy::Blocks, { -1.0 }, {}, {} };
   std::vector<SkdPart> Parts;
 };
 }
