@@ -453,12 +453,6 @@ void SkdRemapper::FinishClipped(const std::vector<SkdClippedSum>& sums)
   this->Clipped.clear();
 }
 
-void SkdRemapper::AddOverlaps(const skd::Processes& processes)
-{
-  const auto own = static_cast<double>(this->Findings.Overlaps);
-  this->Findings.OverlapsElsewhere = static_cast<vtkIdType>(processes.SumOf(own) - own);
-}
-
 void SkdRemapper::AssureSums(const skd::Processes* processes)
 {
   if (this->IsSumAssured())

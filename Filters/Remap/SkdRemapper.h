@@ -51,7 +51,13 @@ public:
   /// part in what is conservative, with cells or without, and in the end the sums.
   void ExpectIntegrals();
   void AddIntegrals(const skd::Processes& processes);
-  void AddOverlaps(const skd::Processes& processes); ///< how many the others have
+
+  /// How many overlaps the others have.
+  void AddOverlaps(const skd::Processes& processes)
+  {
+    const auto own = static_cast<double>(this->Findings.Overlaps);
+    this->Findings.OverlapsElsewhere = static_cast<vtkIdType>(processes.SumOf(own) - own);
+  }
   ///@}
 
   /// Of curved surfaces, before any block is mapped: finds how all blocks face the donor, and the

@@ -11,7 +11,10 @@
 #include "Support/TestAmount.h"
 
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
 
 using namespace skdtest;
 
@@ -171,6 +174,114 @@ TEST_P(BooleanOperationCoplanar, TurnedBodiesHaveTheFacesOfStraightOnes)
       EXPECT_NEAR(Reported(turned, "Area"), Reported(straight, "Area"), error);
       EXPECT_LE(
         turned->GetNumberOfCells(), more * static_cast<double>(straight->GetNumberOfCells()));
+    }
+  }
+}
+
+double FieldAt(const Point& x)
+{
+  return 3.0 * x[0] - 2.0 * x[1] + 0.5 * x[2] + 7.0;
+}
+
+/// Each cell has another value, so that none may be joined with another.
+Surface WithData(const Mesh& solid)
+{
+  Surface mesh = MakePolyData(solid, VTK_DOUBLE);
+  vtkNew<vtkDoubleArray> ofPoints, ofCells;
+  ofPoints->SetName("field");
+  ofCells->SetName("number");
+  for (const Point& x : solid.Points)
+  {
+    ofPoints->InsertNextValue(FieldAt(x));
+  }
+  for (std::size_t cell = 0; cell < solid.Cells.size(); ++cell)
+  {
+    ofCells->InsertNextValue(static_cast<double>(cell));
+  }
+  mesh->GetPointData()->AddArray(ofPoints);
+  mesh->GetCellData()->AddArray(ofCells);
+  return mesh;
+}
+
+Point NormalOf(const Mesh& mesh, const CellSpec& cell)
+{
+  const Point& a = mesh.Points[cell.Points[0]];
+  return Cross(mesh.Points[cell.Points[1]] - a, mesh.Points[cell.Points[2]] - a);
+}
+
+/// Whether a point in the plane of a triangle is beside it by more than rounding.
+bool IsBeside(const Mesh& mesh, const CellSpec& cell, const Point& x)
+{
+  const Point normal = NormalOf(mesh, cell);
+  for (int i = 0; i < 3; ++i)
+  {
+    const Point& from = mesh.Points[cell.Points[i]];
+    const Point edge = mesh.Points[cell.Points[(i + 1) % 3]] - from;
+    if (Dot(normal, Cross(edge, x - from)) < -1e-12 * Dot(normal, normal))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The middle of each face is in the cell that it is said to be of, which faces as it does where
+/// nothing is taken away; data of points are linear as those of the inputs.
+void ExpectDataOfCells(vtkPolyData* output, const std::vector<Mesh>& solids, int operation)
+{
+  const Mesh surface = MeshOf(output);
+  vtkDataArray* field = output->GetPointData()->GetArray("field");
+  vtkCellData* data = output->GetCellData();
+  ASSERT_TRUE(field && data->GetArray("SkdInputId") && data->GetArray("SkdCellId"));
+  for (std::size_t point = 0; point < surface.Points.size(); ++point)
+  {
+    EXPECT_NEAR(
+      field->GetTuple1(static_cast<vtkIdType>(point)), FieldAt(surface.Points[point]), 1e-11);
+  }
+  for (std::size_t face = 0; face < surface.Cells.size(); ++face)
+  {
+    const auto i = static_cast<vtkIdType>(face);
+    const Mesh& of = solids[static_cast<std::size_t>(data->GetArray("SkdInputId")->GetTuple1(i))];
+    const CellSpec& cell =
+      of.Cells[static_cast<std::size_t>(data->GetArray("SkdCellId")->GetTuple1(i))];
+    const Ids& ids = surface.Cells[face].Points;
+    const Point middle =
+      (1.0 / 3.0) * (surface.Points[ids[0]] + surface.Points[ids[1]] + surface.Points[ids[2]]);
+    const Point normal = NormalOf(surface, surface.Cells[face]);
+    EXPECT_FALSE(Length(normal) > 1e-12 && IsBeside(of, cell, middle)) << face;
+    EXPECT_TRUE(operation != Filter::UNION || Dot(normal, NormalOf(of, cell)) > 0.0) << face;
+  }
+}
+
+/// Parts of several cells are merged with those of the other body that lie on them.
+TEST(BooleanOperationCoplanarData, FacesHaveTheDataOfCellsThatTheyAreIn)
+{
+  const std::vector<std::vector<Mesh>> pairs = {
+    { BoxTriangles({ 0, 0, 0 }, { 2, 2, 2 }), BoxTriangles({ 0.5, 0.5, 2 }, { 3, 1.25, 3 }) },
+    { BoxTriangles({ 0, 0, 0 }, { 2, 2, 2 }), BoxTriangles({ 1, 1, 0 }, { 3, 3, 2 }) },
+    { BoxTriangles({ 0, 0, 0 }, { 2, 2, 2 }), BoxTriangles({ 0.25, 0.5, 1 }, { 1.25, 1.5, 2 }) },
+    { Prism(7, { 0, 0, 0 }, 1.0, 1.0), Prism(5, { 0.4, 0.3, 1 }, 1.25, 1.0) },
+    { Prism(7, { 0, 0, 0 }, 1.0, 1.0), Prism(11, { 0.4, 0.3, 0 }, 1.25, 1.0) },
+  };
+  Random random(6200);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    for (int turn = 0; turn < Amount(20); ++turn)
+    {
+      const std::vector<Mesh> solids = Map(pairs[i], RandomRotation(random, false));
+      for (const int operation :
+        { Filter::UNION, Filter::DIFFERENCE, Filter::SYMMETRIC_DIFFERENCE })
+      {
+        SCOPED_TRACE(std::to_string(i) + ", turn " + std::to_string(turn) + ", operation " +
+          std::to_string(operation));
+        vtkNew<Filter> filter;
+        filter->SetInputData(WithData(solids[0]));
+        filter->SetSourceData(WithData(solids[1]));
+        filter->SetOperation(operation);
+        filter->Update();
+        ExpectDataOfCells(
+          vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)), solids, operation);
+      }
     }
   }
 }

@@ -22,7 +22,7 @@ public:
     : Set(set)
     , Facets(facets)
     , Parts(parts)
-    , Cuts(set, facets)
+    , Cuts(set, facets, parts)
   {
   }
 

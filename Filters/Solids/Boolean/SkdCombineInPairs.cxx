@@ -3,6 +3,7 @@
 #include "Solids/Boolean/SkdCombineInPairs.h"
 
 #include "Pipeline/SkdLoop.h"
+#include "Solids/Boolean/SkdFacePoints.h"
 #include "Solids/Boolean/SkdJoinPieces.h"
 #include "Solids/Boolean/SkdSlivers.h"
 
@@ -365,7 +366,8 @@ private:
 };
 
 /// A surface as facets, in the order of the triangles that they are of.
-SkdRoundedFacets MakeFacets(const SkdPlacement& placement, const Surface& surface)
+SkdRoundedFacets MakeFacets(
+  const SkdPlacement& placement, SkdFaceSets& faces, const Surface& surface)
 {
   const SkdMovedTriangles& set = placement.First;
   const std::size_t given = set.GetPoints().size();
@@ -376,6 +378,8 @@ SkdRoundedFacets MakeFacets(const SkdPlacement& placement, const Surface& surfac
   SkdRoundedFacets rounded;
   SkdFacets& facets = rounded.Facets;
   std::vector<SkdSplitPoint> points;
+  const std::vector<std::uint32_t> sameOrigins;
+  SkdFacePoints onFaces(set, faces, sameOrigins);
   std::vector<std::uint32_t> numbers(surface.NewPoints.size(), None);
   for (const std::uint32_t i : order)
   {
@@ -388,8 +392,8 @@ SkdRoundedFacets MakeFacets(const SkdPlacement& placement, const Surface& surfac
         if (number == None)
         {
           number = static_cast<std::uint32_t>(given + points.size());
-          points.push_back(SkdPointIn(
-            set, surface.Parents[i], placement.Scale * surface.NewPoints[corner - given]));
+          points.push_back(onFaces.PointAt(
+            surface.Parents[i], placement.Scale * surface.NewPoints[corner - given]));
         }
         corner = number;
       }
@@ -445,7 +449,7 @@ std::optional<SkdCombinedSolids> SkdCombineInPairs(const SkdPlacement& placement
     { MeasureOperand(*last, ofTwo, 0), MeasureOperand(*last, ofTwo, 1) },
     MeasureUnion(*last, ofTwo), tree.NumberSplit };
   last.reset();
-  combined.Boundary = MakeFacets(placement, result);
+  combined.Boundary = MakeFacets(placement, faces, result);
   combined.Boundary.NumberFolded = tree.NumberFolded;
   if (!areUnited)
   {

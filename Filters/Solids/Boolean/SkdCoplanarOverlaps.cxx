@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <tuple>
 
 namespace skdtree
@@ -89,7 +90,7 @@ public:
     , Signs(signs)
     , Parts(parts)
     , Faces(faces)
-    , Cuts(set, facets)
+    , Cuts(set, facets, parts)
   {
   }
 
@@ -132,32 +133,66 @@ private:
 
   static skd::Vector3 AreaOf(const Triangle& x) { return Cross(x[1] - x[0], x[2] - x[0]); }
 
-  /// Parts with a common edge of the boundary.
-  void FindNeighbours()
+  int SignOf(std::uint32_t part) const { return this->Signs[this->Parts.GetFirstFacetOf(part)]; }
+
+  /// Which faces are in the boundary as they are, and reversed.
+  std::set<std::pair<Owner, int>> ListSigned() const
   {
+    std::set<std::pair<Owner, int>> present;
+    for (std::uint32_t part = 0; part < this->Parts.GetNumberOfParts(); ++part)
+    {
+      present.emplace(this->OwnerOf(this->OriginOf(part)), this->SignOf(part));
+    }
+    return present;
+  }
+
+  /// Parts with a common edge of the boundary and in one plane; the one of the lower face second.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ListBeside() const
+  {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const BorderEdge& edge : this->Parts.GetBorder())
     {
-      if (edge.Other == SkdPieceParts::None || edge.Part > edge.Other)
+      if (edge.Other != SkdPieceParts::None && edge.Part < edge.Other)
       {
-        continue;
+        const Owner first = this->OwnerOf(this->OriginOf(edge.Part));
+        const Owner second = this->OwnerOf(this->OriginOf(edge.Other));
+        if (first.Face != second.Face)
+        {
+          pairs.push_back(
+            first < second ? std::pair(edge.Other, edge.Part) : std::pair(edge.Part, edge.Other));
+        }
       }
-      const Owner first = this->OwnerOf(this->OriginOf(edge.Part));
-      const Owner second = this->OwnerOf(this->OriginOf(edge.Other));
-      if (first.Face != second.Face)
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    const auto isElsewhere = [this](const auto& pair)
+    {
+      return !this->Faces.AreInOnePlane(
+        this->OriginOf(pair.first) / 2, this->OriginOf(pair.second) / 2);
+    };
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), isElsewhere), pairs.end());
+    return pairs;
+  }
+
+  /// Of those beside each other the ones of which the lower face has parts that face as the other
+  /// part does.
+  void FindNeighbours()
+  {
+    const auto beside = this->ListBeside();
+    const auto present = beside.empty() ? std::set<std::pair<Owner, int>>() : this->ListSigned();
+    for (const auto& [part, lower] : beside)
+    {
+      const Owner owner = this->OwnerOf(this->OriginOf(lower));
+      const bool doFaceAlike = Dot(this->NormalOf(part), this->NormalOf(lower)) > 0.0;
+      const int sign = doFaceAlike ? this->SignOf(lower) : -this->SignOf(lower);
+      if (present.count({ owner, sign }) != 0)
       {
-        this->Neighbours.push_back(
-          first < second ? Neighbour{ edge.Other, first } : Neighbour{ edge.Part, second });
+        this->Neighbours.push_back({ part, owner });
       }
     }
     std::sort(this->Neighbours.begin(), this->Neighbours.end());
     this->Neighbours.erase(
       std::unique(this->Neighbours.begin(), this->Neighbours.end()), this->Neighbours.end());
-    const auto isElsewhere = [this](const Neighbour& neighbour) {
-      return !this->Faces.AreInOnePlane(this->OriginOf(neighbour.Part) / 2, neighbour.Lower.Face);
-    };
-    this->Neighbours.erase(
-      std::remove_if(this->Neighbours.begin(), this->Neighbours.end(), isElsewhere),
-      this->Neighbours.end());
   }
 
   /// The triangles of all lower faces.

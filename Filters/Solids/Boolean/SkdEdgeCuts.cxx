@@ -179,13 +179,14 @@ SkdRoundedFacets SkdEdgeCuts::Split(const SkdFacetSigns& signs) const
 //------------------------------------------------------------------------------
 SkdEdgeCuts::Collector::Collector(const SkdEdgeCuts& cuts)
   : Cuts(cuts)
+  , OnFaces(cuts.Set, cuts.Parts.GetFaces(), cuts.Parts.GetOrigins())
   , Points(cuts.Facets.NewPoints.Get())
   , IsAdded(cuts.Positions.size(), false)
 {
   this->Points.resize(this->Points.size() + this->IsAdded.size());
 }
 
-// A new point is as of the first facet that has it.
+// A new point is as of the face of the first facet that has it.
 void SkdEdgeCuts::Collector::Add(const Corners& corners, std::uint32_t parent, signed char sign)
 {
   this->Collected.Facets.Corners.push_back(corners);
@@ -197,7 +198,7 @@ void SkdEdgeCuts::Collector::Add(const Corners& corners, std::uint32_t parent, s
     {
       this->IsAdded[point - this->Cuts.First] = true;
       this->Points[point - this->Cuts.Set.GetPoints().size()] =
-        SkdPointIn(this->Cuts.Set, parent, this->Cuts.At(point));
+        this->OnFaces.PointAt(parent, this->Cuts.At(point));
     }
   }
 }

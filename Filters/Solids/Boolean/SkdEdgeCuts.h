@@ -3,6 +3,8 @@
 #ifndef SkdEdgeCuts_h
 #define SkdEdgeCuts_h
 
+#include "Solids/Boolean/SkdFacePoints.h"
+#include "Solids/Boolean/SkdPieceParts.h"
 #include "Solids/Boolean/SkdRoundedFacets.h"
 
 #include <map>
@@ -17,9 +19,11 @@ class SkdEdgeCuts
 public:
   using Ends = std::pair<std::uint32_t, std::uint32_t>; // of an edge, ascending
 
-  SkdEdgeCuts(const SkdMovedTriangles& set, const SkdFacets& facets)
+  /// `parts` tells the faces that facets are of.
+  SkdEdgeCuts(const SkdMovedTriangles& set, const SkdFacets& facets, const SkdPieceParts& parts)
     : Set(set)
     , Facets(facets)
+    , Parts(parts)
     , First(static_cast<std::uint32_t>(set.GetPoints().size() + facets.NewPoints.size()))
   {
   }
@@ -63,6 +67,7 @@ public:
 
   private:
     const SkdEdgeCuts& Cuts;
+    SkdFacePoints OnFaces;
     SkdRoundedFacets Collected;
     std::vector<SkdSplitPoint> Points;
     std::vector<bool> IsAdded; // new points
@@ -82,6 +87,7 @@ private:
 
   const SkdMovedTriangles& Set;
   const SkdFacets& Facets;
+  const SkdPieceParts& Parts;
   skd::Vector3 Normal{};
   double Tolerance = 0.0;
   std::uint32_t First;                 // new point

@@ -36,6 +36,18 @@ SkdFacets::SkdFacets(
   this->Edges = SkdMakeEdgeTable(this->Corners, set.GetPoints().size() + this->NewPoints.size());
 }
 
+double SkdLeastWeight(const std::array<skd::Vector3, 3>& triangle, const skd::Vector3& x)
+{
+  const skd::Vector3 normal = Cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const skd::Vector3 area = Cross(triangle[(i + 1) % 3] - x, triangle[(i + 2) % 3] - x);
+    least = std::min(least, Dot(normal, area));
+  }
+  return least / Dot(normal, normal);
+}
+
 SkdSplitPoint SkdPointIn(
   const SkdMovedTriangles& set, std::uint32_t triangle, const skd::Vector3& x)
 {

@@ -72,6 +72,10 @@ struct SkdFacets
   }
 };
 
+/// The least of the areas that a point divides a triangle into, as a part of its own: below 0
+/// beside it. NaN of a triangle without area.
+double SkdLeastWeight(const std::array<skd::Vector3, 3>& triangle, const skd::Vector3& x);
+
 /// A point of a triangle by the areas that it divides it into.
 SkdSplitPoint SkdPointIn(
   const SkdMovedTriangles& set, std::uint32_t triangle, const skd::Vector3& x);

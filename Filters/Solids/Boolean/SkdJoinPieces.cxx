@@ -6,7 +6,7 @@
 #include "Solids/Boolean/SkdBorderCrossings.h"
 #include "Solids/Boolean/SkdCoplanarOverlaps.h"
 #include "Solids/Boolean/SkdFacingFacets.h"
-#include "Solids/Boolean/SkdFlatFace.h"
+#include "Solids/Boolean/SkdMadeTriangles.h"
 #include "Solids/Boolean/SkdOppositeParts.h"
 #include "Solids/Boolean/SkdRoundedPlane.h"
 #include "Solids/Boolean/SkdSlivers.h"
@@ -29,8 +29,8 @@ constexpr std::uint32_t None = SkdPieceParts::None;
 /// What a part becomes.
 struct Made
 {
-  bool IsMade = false;                           // else it stays as it was
-  std::array<std::vector<Corners>, 2> Triangles; // that face as its first piece, and the others
+  bool IsMade = false;                    // else it stays as it was
+  std::vector<SkdMadeTriangle> Triangles; // ascending
 };
 
 class Joiner
@@ -122,6 +122,10 @@ private:
   /// Whether parts meet at a point along one line, the same before and after it, and no others.
   bool IsWithinLine(std::uint32_t point) const
   {
+    if (this->IsOfSeam[point])
+    {
+      return false;
+    }
     constexpr std::size_t most = 16; // parts, which are compared with each other
     std::array<const BorderEdge*, most> edges;
     std::size_t count = 0;
@@ -154,6 +158,12 @@ private:
   void FindStraight()
   {
     this->IsTakenOut.assign(this->Set.GetPoints().size() + this->Facets.NewPoints.size(), false);
+    this->IsOfSeam = this->IsTakenOut;
+    for (const BorderEdge& seam : this->Parts.GetSeams())
+    {
+      this->IsOfSeam[seam.From] = true;
+      this->IsOfSeam[seam.To] = true;
+    }
     for (const BorderEdge& edge : this->Parts.GetBorder())
     {
       // Each line once, from one of its ends on.
@@ -243,6 +253,20 @@ private:
     }
   }
 
+  /// So that triangles are of one part each. Returns whether there are any.
+  bool ListSeams(std::uint32_t part, SkdFlatFace& face) const
+  {
+    const std::vector<BorderEdge>& seams = this->Parts.GetSeams();
+    auto seam = std::lower_bound(seams.begin(), seams.end(), part,
+      [](const BorderEdge& edge, std::uint32_t wanted) { return edge.Part < wanted; });
+    const auto first = seam;
+    for (; seam != seams.end() && seam->Part == part; ++seam)
+    {
+      face.AddWithin(seam->From, seam->To);
+    }
+    return seam != first;
+  }
+
   /// What a thread triangulates parts in.
   struct Memory
   {
@@ -311,10 +335,16 @@ private:
     {
       return { true, {} };
     }
-    const SkdFlatFace::Triangles* const triangles =
-      face.Triangulate(*normal, [this](std::uint32_t point) { return this->At(point); });
+    const auto at = [this](std::uint32_t point) { return this->At(point); };
+    const bool hasSeams = this->ListSeams(part, face);
+    const SkdFlatFace::Triangles* triangles = face.Triangulate(*normal, at);
+    if (!triangles && hasSeams)
+    {
+      this->ListEdges(part, face);
+      triangles = face.Triangulate(*normal, at);
+    }
     const bool isMade = triangles && (isMerged || triangles->Right.empty());
-    return isMade ? Made{ true, { triangles->Left, triangles->Right } } : Made{};
+    return isMade ? Made{ true, SkdListMade(this->Parts, part, *triangles) } : Made{};
   }
 
   /// A part that cannot be triangulated gets its points back, and its neighbours get those that
@@ -391,8 +421,7 @@ private:
       joined.Signs.push_back(this->Signs[facet]);
     };
     std::uint32_t next = 0;
-    std::array<std::vector<bool>, 2> isDone;
-    isDone.fill(std::vector<bool>(this->MadeOf.size(), false));
+    std::vector<bool> isDone(this->Parts.GetPieces().size(), false); // by part before merging
     const std::vector<std::uint32_t>& pieces = this->Parts.GetPieces();
     for (std::uint32_t facet = 0; facet < this->Signs.size(); ++facet)
     {
@@ -408,14 +437,17 @@ private:
         add(facet, this->Facets.Corners[facet]);
         continue;
       }
-      const bool isOpposite = this->Parts.IsOpposite(piece);
-      if (!isDone[isOpposite][part])
+      const std::uint32_t before = this->Parts.GetUnmergedPartOf(piece);
+      if (!isDone[before])
       {
-        isDone[isOpposite][part] = true;
+        isDone[before] = true;
         const bool isTurned = this->Signs[facet] != this->SignOf(part);
-        for (const Corners& made : this->MadeOf[part].Triangles[isOpposite])
+        const std::vector<SkdMadeTriangle>& made = this->MadeOf[part].Triangles;
+        auto at = std::lower_bound(made.begin(), made.end(), SkdMadeTriangle{ before, {} });
+        for (; at != made.end() && at->Part == before; ++at)
         {
-          add(facet, isTurned ? Corners{ made[0], made[2], made[1] } : made);
+          const auto [a, b, c] = at->Points;
+          add(facet, isTurned ? Corners{ a, c, b } : at->Points);
         }
       }
     }
@@ -430,6 +462,7 @@ private:
   std::vector<Pair> Opposite;   // parts
   std::vector<Pair> Merged;     // facets, see FacetsOf
   std::vector<bool> IsTakenOut; // of each point
+  std::vector<bool> IsOfSeam;   // likewise
   std::vector<Made> MadeOf;     // of each part
 };
 

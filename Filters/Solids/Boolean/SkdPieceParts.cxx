@@ -73,6 +73,7 @@ SkdPieceParts::SkdPieceParts(const SkdMovedTriangles& set, const SkdFacets& face
 void SkdPieceParts::Merge(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs)
 {
   skd::DisjointSets<> parts(this->GetNumberOfParts());
+  this->Unmerged = this->PartOf;
   this->AreOpposite.assign(this->Pieces.size(), false);
   for (const auto& [first, second] : pairs)
   {
@@ -305,7 +306,10 @@ bool SkdPieceParts::IsForward(const Use& use) const
 void SkdPieceParts::FindBorder()
 {
   this->Border.clear();
+  this->Seams.clear();
   this->ForEachEdge([this](const Use* first, const Use* last) { this->AddBorder(first, last); });
+  std::stable_sort(this->Seams.begin(), this->Seams.end(),
+    [](const BorderEdge& a, const BorderEdge& b) { return a.Part < b.Part; });
   this->Uses = std::vector<Use>(); // they are found again where parts are merged
   const std::size_t border = this->Border.size();
   const auto forEach = [unsorted = std::move(this->Border)](const auto& add)
@@ -344,11 +348,21 @@ bool SkdPieceParts::AreOppositeOfOnePart(const Use& a, const Use& b) const
   return this->PartOf[a.Piece] == this->PartOf[b.Piece] && this->IsForward(a) != this->IsForward(b);
 }
 
+void SkdPieceParts::AddSeam(const Use& a, const Use& b)
+{
+  if (this->GetUnmergedPartOf(a.Piece) != this->GetUnmergedPartOf(b.Piece) &&
+    this->IsOpposite(a.Piece) == this->IsOpposite(b.Piece))
+  {
+    this->Seams.push_back({ a.GetFrom(), a.GetTo(), this->PartOf[a.Piece], None });
+  }
+}
+
 void SkdPieceParts::AddBorder(const Use* first, const Use* last)
 {
   const bool areTwo = last - first == 2;
   if (areTwo && this->AreOppositeOfOnePart(first[0], first[1]))
   {
+    this->AddSeam(first[0], first[1]);
     return;
   }
   const bool arePair = areTwo && this->IsForward(first[0]) != this->IsForward(first[1]);

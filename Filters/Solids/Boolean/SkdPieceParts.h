@@ -54,6 +54,19 @@ public:
     return this->PartOf[static_cast<std::size_t>(at - this->Pieces.begin())];
   }
   std::size_t GetNumberOfParts() const { return this->PiecesOf.size(); }
+
+  /// The part that a piece was of before parts were merged.
+  std::uint32_t GetUnmergedPartOf(std::uint32_t piece) const
+  {
+    return this->Unmerged.empty() ? this->PartOf[piece] : this->Unmerged[piece];
+  }
+
+  /// Edges within parts that are merged, where two of those that face alike meet; ascending by
+  /// part.
+  const std::vector<BorderEdge>& GetSeams() const { return this->Seams; }
+
+  SkdFaceSets& GetFaces() const { return this->Faces; }
+  const std::vector<std::uint32_t>& GetOrigins() const { return this->Origins; }
   skd::IndexRows::Row GetPiecesOf(std::uint32_t part) const { return this->PiecesOf[part]; }
   bool IsMerged(std::uint32_t part) const
   {
@@ -73,6 +86,10 @@ public:
   std::array<skd::Vector3, 3> PositionsOf(std::uint32_t piece) const
   {
     return this->Facets.GetPositions(this->Set, this->Pieces[piece]);
+  }
+  skd::Vector3 GetPosition(std::uint32_t point) const
+  {
+    return this->Facets.GetPosition(this->Set, point);
   }
   double GetWidthOf(std::uint32_t piece) const { return this->Widths[piece]; } ///< least height
 
@@ -157,6 +174,7 @@ private:
   bool AreOfOneFace(const Use& a, const Use& b) const;
   bool AreInOnePlane(std::uint32_t a, std::uint32_t b) const;
   bool AreOppositeOfOnePart(const Use& a, const Use& b) const;
+  void AddSeam(const Use& a, const Use& b);
   void AddBorder(const Use* first, const Use* last);
   static BorderEdge* LeaveOutInner(BorderEdge* first, BorderEdge* last);
   static void PairUp(BorderEdge* first, BorderEdge* last);
@@ -178,6 +196,8 @@ private:
   std::vector<double> ToleranceOf; // each part
   skd::IndexRows PiecesOf;         // of each part
   skd::IndexRows BorderOf;
+  std::vector<std::uint32_t> Unmerged; // part of each piece before; empty: none is merged
+  std::vector<BorderEdge> Seams;
   std::vector<bool> AreMerged;   // parts; empty: none
   std::vector<bool> AreOpposite; // pieces; empty: none
 };
