@@ -131,6 +131,21 @@ private:
     return (this->Signs[facet] / Norm(normal)) * normal;
   }
 
+  /// Whether their first pieces are of triangles that are, or nearly.
+  bool AreParallel(std::uint32_t a, std::uint32_t b) const
+  {
+    constexpr double least = 1.0 - 1e-6;
+    const auto areaOf = [this](std::uint32_t part)
+    {
+      const std::uint32_t facet = this->Parts.GetFirstFacetOf(part);
+      return AreaOf(this->Set.GetCornerPoints(this->Facets.Parents[facet]));
+    };
+    const skd::Vector3 first = areaOf(a);
+    const skd::Vector3 second = areaOf(b);
+    const double dot = Dot(first, second);
+    return dot * dot > least * least * Norm2(first) * Norm2(second);
+  }
+
   static skd::Vector3 AreaOf(const Triangle& x) { return Cross(x[1] - x[0], x[2] - x[0]); }
 
   int SignOf(std::uint32_t part) const { return this->Signs[this->Parts.GetFirstFacetOf(part)]; }
@@ -167,8 +182,8 @@ private:
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     const auto isElsewhere = [this](const auto& pair)
     {
-      return !this->Faces.AreInOnePlane(
-        this->OriginOf(pair.first) / 2, this->OriginOf(pair.second) / 2);
+      return !this->AreParallel(pair.first, pair.second) ||
+        !this->Faces.AreInOnePlane(this->OriginOf(pair.first) / 2, this->OriginOf(pair.second) / 2);
     };
     pairs.erase(std::remove_if(pairs.begin(), pairs.end(), isElsewhere), pairs.end());
     return pairs;

@@ -169,23 +169,21 @@ void SkdPieceParts::ListPieces(const std::vector<bool>& isCut)
 /// of that: it is then taken as cut, too.
 bool SkdPieceParts::FindLaidOnCut(std::vector<bool>& isCut)
 {
-  std::vector<bool> isOfPiece(this->CountPoints(), false);
+  std::vector<unsigned char> isOfPiece(this->CountPoints(), 0); // looked at for all facets
   for (const std::uint32_t facet : this->Pieces)
   {
     for (const std::uint32_t corner : this->Facets.Corners[facet])
     {
-      isOfPiece[corner] = true;
+      isOfPiece[corner] = 1;
     }
   }
   bool isAny = false;
-  std::uint32_t next = 0;
   for (std::uint32_t facet = 0; facet < this->Signs.size(); ++facet)
   {
-    const bool isPiece = next < this->Pieces.size() && this->Pieces[next] == facet;
-    next += isPiece;
-    const Corners& corners = this->Facets.Corners[facet];
-    const int count = isOfPiece[corners[0]] + isOfPiece[corners[1]] + isOfPiece[corners[2]];
-    if (!isPiece && count > 1 && this->Signs[facet] != 0 && this->IsLaidOnPiece(facet))
+    const auto [a, b, c] = this->Facets.Corners[facet];
+    if (this->Signs[facet] != 0 && isOfPiece[a] + isOfPiece[b] + isOfPiece[c] > 1 &&
+      !std::binary_search(this->Pieces.begin(), this->Pieces.end(), facet) &&
+      this->IsLaidOnPiece(facet))
     {
       isCut[this->Faces.Find(this->GetOriginOf(facet) / 2)] = true;
       isAny = true;
