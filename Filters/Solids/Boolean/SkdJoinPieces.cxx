@@ -516,6 +516,9 @@ std::optional<SkdRoundedFacets> SkdJoinPieces(const SkdPlacement& placement,
 {
   constexpr int most = 24;          // times
   constexpr int mostOfOverlaps = 8; // times that parts are cut where they overlap
+  // Borders that split each other ever more would not end: what was before is closed, too.
+  const std::size_t mostFacets = 4 * facets.GetNumberOfFacets() + 1000;
+  std::optional<SkdRoundedFacets> fewest;
   Joined joined = JoinOnce(placement, facets, signs, origins, faces, true);
   if (given && joined.Facets)
   {
@@ -528,7 +531,18 @@ std::optional<SkdRoundedFacets> SkdJoinPieces(const SkdPlacement& placement,
     joined.IsMore = again.IsMore;
     if (again.Facets)
     {
+      const std::size_t count = again.Facets->Facets.GetNumberOfFacets();
+      const std::size_t last = joined.Facets->Facets.GetNumberOfFacets();
+      const bool isLeast = !fewest || last < fewest->Facets.GetNumberOfFacets();
+      if (count > last && isLeast)
+      {
+        fewest = std::move(joined.Facets);
+      }
       joined.Facets = std::move(again.Facets);
+      if (count > mostFacets && fewest)
+      {
+        joined = { std::move(fewest), false };
+      }
     }
   }
   if (joined.Facets)
