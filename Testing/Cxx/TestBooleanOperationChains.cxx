@@ -6,10 +6,8 @@
 // SKDTREE_FUZZ_PAIRS in the environment sets how many chains are tried (a fortieth of it),
 // SKDTREE_FUZZ_FIRST which is the first; a failure names its chain.
 
-#include "Support/ClosedSurface.h"
+#include "Support/ClosedRun.h"
 #include "Support/GridBoxes.h"
-#include "Support/Reported.h"
-#include "Support/SolidRun.h"
 #include "Support/TestAmount.h"
 
 #include "vtkMultiBlockDataSet.h"
@@ -20,18 +18,6 @@ namespace
 {
 using Filter = vtkSkdTreeBooleanOperation;
 using Surface = vtkSmartPointer<vtkPolyData>;
-
-/// The output of a filter that is set up, closed by all ways of output.
-Surface RunClosed(Filter* filter)
-{
-  EventCounter events(filter);
-  filter->Update();
-  EXPECT_EQ(events.Errors + events.Warnings, 0) << events.Error << events.Warning;
-  Surface output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
-  EXPECT_EQ(Reported(output, "BadEdges"), 0.0);
-  ExpectClosed(output);
-  return output;
-}
 
 Surface CombineAtOnce(const std::vector<Surface>& solids, int operation)
 {

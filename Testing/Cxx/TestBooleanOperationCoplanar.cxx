@@ -3,10 +3,8 @@
 // vtkSkdTreeBooleanOperation: faces of several bodies that overlap in one plane, but for rounding,
 // become as few as those that are exactly in one plane, and no fewer.
 
-#include "Support/ClosedSurface.h"
+#include "Support/ClosedRun.h"
 #include "Support/GridBoxes.h"
-#include "Support/Reported.h"
-#include "Support/SolidRun.h"
 #include "Support/SurfaceMeshes.h"
 #include "Support/TestAmount.h"
 
@@ -32,13 +30,7 @@ Surface Unite(const std::vector<Mesh>& solids, int pointType)
   }
   vtkNew<Filter> filter;
   filter->SetInputDataObject(0, blocks);
-  EventCounter events(filter);
-  filter->Update();
-  EXPECT_EQ(events.Errors + events.Warnings, 0) << events.Error << events.Warning;
-  Surface output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
-  EXPECT_EQ(Reported(output, "BadEdges"), 0.0);
-  ExpectClosed(output);
-  return output;
+  return RunClosed(filter);
 }
 
 std::vector<Mesh> Map(std::vector<Mesh> solids, const std::function<Point(const Point&)>& map)

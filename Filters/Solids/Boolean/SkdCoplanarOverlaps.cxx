@@ -84,12 +84,12 @@ class CoplanarOverlaps
 {
 public:
   CoplanarOverlaps(const SkdMovedTriangles& set, const SkdFacets& facets,
-    const SkdFacetSigns& signs, const SkdPieceParts& parts, SkdFaceSets& faces)
+    const SkdFacetSigns& signs, const SkdPieceParts& parts)
     : Set(set)
     , Facets(facets)
     , Signs(signs)
     , Parts(parts)
-    , Faces(faces)
+    , Faces(parts.GetFaces())
     , Cuts(set, facets, parts)
   {
   }
@@ -123,25 +123,27 @@ private:
     return { this->Faces.Find(origin / 2), origin % 2 != 0 };
   }
 
+  /// Of the triangle that a part's first piece is of.
+  skd::Vector3 ParentAreaOf(std::uint32_t part) const
+  {
+    const std::uint32_t facet = this->Parts.GetFirstFacetOf(part);
+    return AreaOf(this->Set.GetCornerPoints(this->Facets.Parents[facet]));
+  }
+
   /// Of a part's first piece, as the boundary has it; of length 1.
   skd::Vector3 NormalOf(std::uint32_t part) const
   {
     const std::uint32_t facet = this->Parts.GetFirstFacetOf(part);
-    const skd::Vector3 normal = AreaOf(this->Set.GetCornerPoints(this->Facets.Parents[facet]));
-    return (this->Signs[facet] / Norm(normal)) * normal;
+    const skd::Vector3 area = this->ParentAreaOf(part);
+    return (this->Signs[facet] / Norm(area)) * area;
   }
 
   /// Whether their first pieces are of triangles that are, or nearly.
   bool AreParallel(std::uint32_t a, std::uint32_t b) const
   {
     constexpr double least = 1.0 - 1e-6;
-    const auto areaOf = [this](std::uint32_t part)
-    {
-      const std::uint32_t facet = this->Parts.GetFirstFacetOf(part);
-      return AreaOf(this->Set.GetCornerPoints(this->Facets.Parents[facet]));
-    };
-    const skd::Vector3 first = areaOf(a);
-    const skd::Vector3 second = areaOf(b);
+    const skd::Vector3 first = this->ParentAreaOf(a);
+    const skd::Vector3 second = this->ParentAreaOf(b);
     const double dot = Dot(first, second);
     return dot * dot > least * least * Norm2(first) * Norm2(second);
   }
@@ -562,9 +564,8 @@ private:
 }
 
 std::optional<SkdRoundedFacets> SkdCutOverlaps(const SkdMovedTriangles& set,
-  const SkdFacets& facets, const SkdFacetSigns& signs, const SkdPieceParts& parts,
-  SkdFaceSets& faces)
+  const SkdFacets& facets, const SkdFacetSigns& signs, const SkdPieceParts& parts)
 {
-  return CoplanarOverlaps(set, facets, signs, parts, faces).Cut();
+  return CoplanarOverlaps(set, facets, signs, parts).Cut();
 }
 }

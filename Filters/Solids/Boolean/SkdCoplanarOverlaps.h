@@ -19,8 +19,7 @@ namespace skdtree
 /// overlaps. A part that cannot be cut stays. O(n log n) for the facets of parts that have such a
 /// neighbour and the triangles of its face, if each is near few others.
 std::optional<SkdRoundedFacets> SkdCutOverlaps(const SkdMovedTriangles& set,
-  const SkdFacets& facets, const SkdFacetSigns& signs, const SkdPieceParts& parts,
-  SkdFaceSets& faces);
+  const SkdFacets& facets, const SkdFacetSigns& signs, const SkdPieceParts& parts);
 }
 
 #endif

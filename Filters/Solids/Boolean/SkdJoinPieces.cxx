@@ -47,9 +47,9 @@ public:
   }
 
   /// Gives what faces in one plane have in common to the lowest, if they overlap.
-  std::optional<SkdRoundedFacets> CutOverlaps(SkdFaceSets& faces) const
+  std::optional<SkdRoundedFacets> CutOverlaps() const
   {
-    return SkdCutOverlaps(this->Set, this->Facets, this->Signs, this->Parts, faces);
+    return SkdCutOverlaps(this->Set, this->Facets, this->Signs, this->Parts);
   }
 
   /// Finds parts that lie on each other, but for those of these pairs of facets; one may lie on
@@ -486,7 +486,7 @@ Joined JoinOnce(const SkdPlacement& placement, const SkdFacets& facets, const Sk
   while (true)
   {
     Joiner joiner(placement, facets, signs, origins, faces, facing);
-    if (auto cut = cutsOverlaps ? joiner.CutOverlaps(faces) : std::nullopt)
+    if (auto cut = cutsOverlaps ? joiner.CutOverlaps() : std::nullopt)
     {
       return { std::move(cut), true };
     }
