@@ -541,7 +541,8 @@ std::optional<SkdRoundedFacets> SkdJoinPieces(const SkdPlacement& placement,
       joined.Facets = std::move(again.Facets);
       if (count > mostFacets && fewest)
       {
-        joined = { std::move(fewest), false };
+        joined.Facets = std::move(fewest);
+        break;
       }
     }
   }
